@@ -1,0 +1,1 @@
+# The installed package: libraries, headers, CMake config.

@@ -1,0 +1,25 @@
+# One INTERFACE target holds what every target of the project is compiled with.
+add_library(csgcast_options INTERFACE)
+target_compile_features(csgcast_options INTERFACE cxx_std_20)
+# Floating point is part of the contract: no contraction, no -ffast-math.
+target_compile_options(csgcast_options INTERFACE -ffp-contract=off -fno-fast-math)
+add_library(csgcast_warnings INTERFACE)
+target_compile_options(csgcast_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                                  -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough)
+if(CSGCAST_SANITIZE)
+  target_compile_options(csgcast_options INTERFACE -fsanitize=${CSGCAST_SANITIZE} -fno-omit-frame-pointer
+                                                   -fno-sanitize-recover=all)
+  target_link_options(csgcast_options INTERFACE -fsanitize=${CSGCAST_SANITIZE})
+endif()
+
+# csgcast_library(NAME): csgcast_NAME from the sources of the present folder, alias csgcast::NAME.
+function(csgcast_library name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_library(csgcast_${name} ${sources})
+  add_library(csgcast::${name} ALIAS csgcast_${name})
+  set_target_properties(csgcast_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(csgcast_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/csgcast>)
+  target_compile_features(csgcast_${name} PUBLIC cxx_std_20)
+  target_link_libraries(csgcast_${name} PRIVATE $<BUILD_INTERFACE:csgcast_options> $<BUILD_INTERFACE:csgcast_warnings>)
+endfunction()

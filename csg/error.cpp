@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "csg/error.h"
+
+#include <fmt/format.h>
+
+namespace csgcast {
+namespace {
+
+std::string prefix(const Place& place) {
+  const std::string at = to_string(place);
+  return at.empty() ? "csgcast" : at;
+}
+
+std::string message(const Place& place, const std::string& problem, const std::string& why, const std::string& remedy) {
+  std::string text = fmt::format("{}: error: {}", prefix(place), problem);
+  if (!why.empty()) text += fmt::format(" ({})", why);
+  if (!remedy.empty()) text += fmt::format("; {}", remedy);
+  return text;
+}
+
+}  // namespace
+
+std::string to_string(const Place& place) {
+  if (place.line == 0) return place.file;
+  return fmt::format("{}:{}:{}", place.file.empty() ? "<scene>" : place.file, place.line, place.column);
+}
+
+Error::Error(ErrorCode code, Place place, const std::string& problem, const std::string& why, const std::string& remedy)
+    : std::runtime_error(message(place, problem, why, remedy)), code_(code), place_(std::move(place)) {}
+
+std::string to_string(const Warning& warning) {
+  return fmt::format("{}: warning: {}", prefix(warning.place), warning.text);
+}
+
+}  // namespace csgcast

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "csg/bounds.h"
+#include "csg/error.h"
+#include "csg/exact/quadric_form.h"
+#include "csg/look.h"
+#include "csg/transform.h"
+
+namespace csgcast {
+
+/// What a leaf is in its own coordinates: the closed set of points where every form is <= 0.
+struct LeafShape {
+  std::string kind;                 ///< the scene text's word for it: "cube", "sphere", ...
+  std::vector<QuadricForm> forms;   ///< none of them constant; at least one
+  Box bounds;                       ///< holds the set, rounded outward
+  bool is_convex_polyhedron = false;
+  std::vector<Point> vertices;      ///< of a bounded polyhedron given by points (for tight bounds of moved solids); else empty
+};
+
+/// A named subtree with a density, for queries by part.
+struct PartName {
+  std::string name;
+  double density = 1;
+};
+
+/// A solid: an immutable tree of shared nodes; copying is cheap. The regular closed set that its operators give.
+///
+/// Trees may be a million deep: nothing here recurses, destructors included.
+class Solid {
+ public:
+  enum class Kind { empty, everything, leaf, unite, intersect, subtract, complement, transform, part, look };
+
+  Solid();  ///< the empty solid
+
+  static Solid everything();
+  static Solid leaf(LeafShape shape);
+
+  Kind kind() const;
+  /// unite, intersect, subtract: two or more, in file order (subtract: first less all others); complement, transform, part, look: one; else none.
+  std::span<const Solid> children() const;
+  const LeafShape& shape() const;         ///< precondition: a leaf
+  const Transform& transform() const;     ///< precondition: a transform
+  const PartName& part() const;           ///< precondition: a part
+  const LookStatement& look() const;      ///< precondition: a look
+  /// Where the statement that made this node stands; line 0 if it was made in code.
+  const Place& place() const;
+  /// The same solid with another place.
+  Solid at(Place place) const;
+  /// Nodes with equal identity are one shared node.
+  const void* identity() const;
+
+  friend Solid unite(std::vector<Solid> children);
+  friend Solid intersect(std::vector<Solid> children);
+  friend Solid subtract(std::vector<Solid> children);
+  friend Solid complement(Solid solid);
+  friend Solid transformed(Solid solid, const Transform& world_from_solid);
+  friend Solid named(Solid solid, PartName name);
+  friend Solid with_look(Solid solid, LookStatement look);
+
+ private:
+  struct Node;
+  explicit Solid(std::shared_ptr<const Node> node);
+  static Solid make(Node node);
+
+  std::shared_ptr<const Node> node_;
+};
+
+/// All points of any child; of none: empty.
+Solid unite(std::vector<Solid> children);
+/// All points of every child; of none: empty (as in OpenSCAD).
+Solid intersect(std::vector<Solid> children);
+/// The first child less all the others, closed; of none: empty.
+Solid subtract(std::vector<Solid> children);
+/// The closure of the complement.
+Solid complement(Solid solid);
+/// A singular transform gives the empty solid; the caller warns. Precondition: finite entries.
+Solid transformed(Solid solid, const Transform& world_from_solid);
+Solid named(Solid solid, PartName name);
+Solid with_look(Solid solid, LookStatement look);
+
+inline Solid operator+(Solid a, Solid b) { return unite({std::move(a), std::move(b)}); }
+inline Solid operator&(Solid a, Solid b) { return intersect({std::move(a), std::move(b)}); }
+inline Solid operator-(Solid a, Solid b) { return subtract({std::move(a), std::move(b)}); }
+
+}  // namespace csgcast

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "csg/scene_description.h"
+#include "csg/text/syntax.h"
+
+namespace csgcast::text {
+
+/// Which curved solids become polyhedra.
+enum class Facets {
+  automatic,  ///< those with an explicit 0 < $fn <= 16
+  always,     ///< all, with OpenSCAD's vertices
+  never,
+};
+
+struct BuildOptions {
+  Facets facets = Facets::automatic;
+};
+
+/// What the statements mean. Throws Error naming the first (in file order) statement that is unknown, wrongly used or not supported yet, with its place.
+SceneDescription build(const Document& document, const BuildOptions& options = {});
+
+}  // namespace csgcast::text

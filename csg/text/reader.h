@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "csg/text/syntax.h"
+
+namespace csgcast::text {
+
+/// The syntax tree of a scene text (UTF-8). `file` is the name that errors show. Throws Error(syntax) at the first character that does not fit,
+/// Error(limit) for a list nested deeper than 1,000. Statements may nest to any depth. Linear in the text's length.
+Document read(std::string_view text, std::string file);
+
+/// The same for a file; "-" reads standard input. Throws Error(input_output) if it cannot be read, or is not text (a zero byte).
+Document read_file(const std::string& path);
+
+}  // namespace csgcast::text

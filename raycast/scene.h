@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "csg/bounds.h"
+#include "csg/error.h"
+#include "csg/ids.h"
+#include "csg/look.h"
+#include "csg/solid.h"
+#include "raycast/surface.h"
+
+namespace csgcast {
+
+/// Which side of the canonical surface a half-space is: where the form is negative, or where it is positive.
+enum class Sense : std::uint8_t { negative, positive };
+
+struct HalfSpace {
+  SurfaceId surface;
+  Sense sense = Sense::negative;
+};
+
+/// One instance of a leaf: half-spaces [first, first + count) of the scene's table.
+struct Leaf {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  std::string kind;      ///< the scene text's word
+  Place place;           ///< the statement that made it
+  PartId part;           ///< not valid outside every part
+  LookId look;
+  bool shows_cut = false;  ///< it counts negatively and no look is set below the subtraction: its faces show what was cut
+};
+
+/// A Boolean node over children [first, first + count) of the scene's list of children; a leaf node has its LeafId in `first`.
+struct Node {
+  enum class Op : std::uint8_t { empty, everything, leaf, unite, intersect, subtract, complement };
+  Op op = Op::empty;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  Box box;  ///< holds the closed set, with a margin; for culling only
+};
+
+struct Part {
+  PartName name;
+  Place place;
+  NodeId node;
+};
+
+/// A run of union-level solids, next to each other in file order, of one part and under one look: what counts as one medium.
+struct Region {
+  NodeId node;
+  PartId part;
+  LookId look;  ///< what its own statements above the solids say
+};
+
+/// A solid compiled for rays: flat, read-only arrays, safe to share between threads.
+class Scene {
+ public:
+  std::span<const Surface> surfaces() const { return surfaces_; }
+  const Surface& surface(SurfaceId id) const { return surfaces_[id.index()]; }
+  std::span<const Leaf> leaves() const { return leaves_; }
+  const Leaf& leaf(LeafId id) const { return leaves_[id.index()]; }
+  std::span<const HalfSpace> half_spaces(const Leaf& leaf) const {
+    return std::span(half_spaces_).subspan(leaf.first, leaf.count);
+  }
+  std::span<const Node> nodes() const { return nodes_; }
+  const Node& node(NodeId id) const { return nodes_[id.index()]; }
+  std::span<const NodeId> children(const Node& node) const {
+    return std::span(children_).subspan(node.first, node.count);
+  }
+  /// The whole solid: a union of the regions.
+  NodeId root() const { return root_; }
+  std::span<const Part> parts() const { return parts_; }
+  std::span<const Region> regions() const { return regions_; }
+  /// Resolved materials, without repeats.
+  std::span<const Material> looks() const { return looks_; }
+  const Material& look(LookId id) const { return looks_[id.index()]; }
+  /// Of the solid, rounded outward, without the margin of the nodes' boxes.
+  const Box& bounds() const { return bounds_; }
+  /// Of its bounded leaves, for a default camera of an unbounded solid.
+  const Box& bounded_leaves() const { return bounded_leaves_; }
+
+ private:
+  friend class SceneCompiler;
+  std::vector<Surface> surfaces_;
+  std::vector<HalfSpace> half_spaces_;
+  std::vector<Leaf> leaves_;
+  std::vector<Node> nodes_;
+  std::vector<NodeId> children_;
+  std::vector<Part> parts_;
+  std::vector<Region> regions_;
+  std::vector<Material> looks_;
+  NodeId root_;
+  Box bounds_;
+  Box bounded_leaves_;
+};
+
+/// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has more than 2^26 leaves;
+/// Error(usage) for a part below an intersection, difference or complement, or within a part.
+Scene compile(const Solid& solid);
+
+}  // namespace csgcast
