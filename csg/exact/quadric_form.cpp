@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "csg/exact/quadric_form.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace csgcast {
+namespace {
+
+using Term = QuadricForm::Term;
+// Second-degree term of two axes.
+constexpr std::array<std::array<Term, 3>, 3> second_degree{{{Term::xx, Term::xy, Term::xz},
+                                                            {Term::xy, Term::yy, Term::yz},
+                                                            {Term::xz, Term::yz, Term::zz}}};
+constexpr std::array<Term, 3> first_degree{Term::x, Term::y, Term::z};
+
+// A linear function of the world's coordinates, homogeneous: value = c[0] x + c[1] y + c[2] z + c[3].
+using LinearForm = std::array<Dyadic, 4>;
+
+// det(M) times the solid's coordinates as linear forms of the world's: row i of adj(M) (p - offset).
+std::array<LinearForm, 3> scaled_inverse(const ExactAffine& m) {
+  std::array<LinearForm, 3> rows;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      rows[i][j] = m.adjugate(i, j);
+      rows[i][3] -= rows[i][j] * m.offset(j);
+    }
+  }
+  return rows;
+}
+
+void add_product(QuadricForm& sum, const Dyadic& factor, const LinearForm& a, const LinearForm& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (a[i].is_zero() || b[j].is_zero()) continue;
+      sum.coefficient[second_degree[i][j]] += factor * a[i] * b[j];
+    }
+    sum.coefficient[first_degree[i]] += factor * (a[i] * b[3] + a[3] * b[i]);
+  }
+  sum.coefficient[Term::one] += factor * a[3] * b[3];
+}
+
+void add_multiple(QuadricForm& sum, const Dyadic& factor, const LinearForm& a) {
+  for (std::size_t i = 0; i < 3; ++i) sum.coefficient[first_degree[i]] += factor * a[i];
+  sum.coefficient[Term::one] += factor * a[3];
+}
+
+QuadricForm transformed_plane(const QuadricForm& f, const std::array<LinearForm, 3>& local, const Dyadic& determinant) {
+  QuadricForm g;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!f.coefficient[first_degree[i]].is_zero()) add_multiple(g, f.coefficient[first_degree[i]], local[i]);
+  }
+  g.coefficient[Term::one] += f.coefficient[Term::one] * determinant;
+  return determinant.sign() < 0 ? -g : g;
+}
+
+}  // namespace
+
+QuadricForm QuadricForm::plane(const Dyadic& nx, const Dyadic& ny, const Dyadic& nz, const Dyadic& offset) {
+  QuadricForm f;
+  f.coefficient[Term::x] = nx;
+  f.coefficient[Term::y] = ny;
+  f.coefficient[Term::z] = nz;
+  f.coefficient[Term::one] = offset;
+  return f;
+}
+
+bool QuadricForm::is_constant() const {
+  return std::all_of(coefficient.begin(), coefficient.begin() + Term::one, [](const Dyadic& c) { return c.is_zero(); });
+}
+
+bool QuadricForm::is_plane() const {
+  return !is_constant() &&
+         std::all_of(coefficient.begin(), coefficient.begin() + Term::x, [](const Dyadic& c) { return c.is_zero(); });
+}
+
+Dyadic QuadricForm::at(const Point& p) const {
+  Dyadic value = coefficient[one];
+  for (std::size_t i = 0; i < 3; ++i) {
+    Dyadic slope = coefficient[first_degree[i]];
+    for (std::size_t j = i; j < 3; ++j) {
+      const Dyadic& second = coefficient[second_degree[i][j]];
+      if (!second.is_zero()) slope += second * Dyadic(p[j]);
+    }
+    value += slope * Dyadic(p[i]);
+  }
+  return value;
+}
+
+QuadricForm QuadricForm::operator-() const {
+  QuadricForm negated = *this;
+  for (Dyadic& c : negated.coefficient) c = -c;
+  return negated;
+}
+
+QuadricForm transformed(const QuadricForm& f, const ExactAffine& world_from_solid) {
+  const std::array<LinearForm, 3> local = scaled_inverse(world_from_solid);
+  const Dyadic determinant = world_from_solid.determinant();
+  assert(!determinant.is_zero());
+  if (f.is_plane()) return transformed_plane(f, local, determinant);
+  // f(adj(M) (p - b) / det) times det², which is positive.
+  QuadricForm g;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      const Dyadic& c = f.coefficient[second_degree[i][j]];
+      if (!c.is_zero()) add_product(g, c, local[i], local[j]);
+    }
+    const Dyadic& c = f.coefficient[first_degree[i]];
+    if (!c.is_zero()) add_multiple(g, c * determinant, local[i]);
+  }
+  g.coefficient[Term::one] += f.coefficient[Term::one] * determinant * determinant;
+  return g;
+}
+
+CanonicalForm canonical(const QuadricForm& f) {
+  assert(!f.is_constant());
+  // Every coefficient is an integer times 2^least; the odd part of the greatest common divisor is that of the mantissas.
+  std::int64_t least = 0;
+  mpz_class divisor;
+  bool first = true;
+  for (const Dyadic& c : f.coefficient) {
+    if (c.is_zero()) continue;
+    least = first ? c.exponent() : std::min(least, c.exponent());
+    first = false;
+    divisor = gcd(divisor, c.mantissa());
+  }
+  CanonicalForm result;
+  for (std::size_t i = 0; i < QuadricForm::term_count; ++i) {
+    const Dyadic& c = f.coefficient[i];
+    if (c.is_zero()) continue;
+    mpz_class quotient;
+    mpz_divexact(quotient.get_mpz_t(), c.mantissa().get_mpz_t(), divisor.get_mpz_t());
+    result.form.coefficient[i] = Dyadic(std::move(quotient), c.exponent() - least);
+  }
+  const auto leading = std::find_if(result.form.coefficient.begin(), result.form.coefficient.end(),
+                                    [](const Dyadic& c) { return !c.is_zero(); });
+  result.flipped = leading->sign() < 0;
+  if (result.flipped) result.form = -result.form;
+  return result;
+}
+
+}  // namespace csgcast
