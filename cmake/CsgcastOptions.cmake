@@ -1,7 +1,8 @@
-# One INTERFACE target holds what every target of the project is compiled with.
+# SPDX-License-Identifier: MIT
+# One INTERFACE target holds what every target of the project is compiled with, another the warnings.
 add_library(csgcast_options INTERFACE)
 target_compile_features(csgcast_options INTERFACE cxx_std_20)
-# Floating point is part of the contract: no contraction, no -ffast-math.
+# Floating point is part of the contract: no contraction, no -ffast-math, and no -march=native, so that all machines agree.
 target_compile_options(csgcast_options INTERFACE -ffp-contract=off -fno-fast-math)
 add_library(csgcast_warnings INTERFACE)
 target_compile_options(csgcast_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
@@ -10,6 +11,9 @@ if(CSGCAST_SANITIZE)
   target_compile_options(csgcast_options INTERFACE -fsanitize=${CSGCAST_SANITIZE} -fno-omit-frame-pointer
                                                    -fno-sanitize-recover=all)
   target_link_options(csgcast_options INTERFACE -fsanitize=${CSGCAST_SANITIZE})
+endif()
+if(BUILD_SHARED_LIBS)
+  set(CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR} $ORIGIN)
 endif()
 
 # csgcast_library(NAME): csgcast_NAME from the sources of the present folder, alias csgcast::NAME.
@@ -21,7 +25,8 @@ function(csgcast_library name)
   endif()
   add_library(csgcast_${name} ${sources})
   add_library(csgcast::${name} ALIAS csgcast_${name})
-  set_target_properties(csgcast_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(csgcast_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+                                                   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   target_include_directories(csgcast_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                                     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/csgcast>)
   target_compile_features(csgcast_${name} PUBLIC cxx_std_20)

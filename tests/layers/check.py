@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Checks the rules of the house that no compiler checks. Usage: check.py PROJECT_FOLDER
+
+Includes point down only, cli -> shade -> raycast -> csg; they start with the module's name; a .cpp includes its own header
+first. What is below MODULE/detail/ is included by that module and by the tests, never by a public header. OpenImageIO is seen
+by one file of shade/, CGAL only by the tests. No file is longer than 400 lines, no function longer than 60 unless a comment
+`// long: REASON` stands right above it or inside it. Prints file:line: breach for each, and exits 1 if there is one.
+"""
+import re
+import sys
+from pathlib import Path
+
+MODULES = ["csg", "raycast", "shade", "cli"]  # each may include itself and those before it
+FOLDERS = MODULES + ["tests", "examples"]
+MAX_FILE, MAX_FUNCTION = 400, 60
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)')
+COMMENT_OR_LITERAL = re.compile(
+    r'//[^\n]*|/\*.*?\*/|R"(?P<tag>[^(\s]*)\(.*?\)(?P=tag)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\'', re.S)
+
+
+def includes(text):
+    """(line number, '"' or '<', path) of each include."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if match := INCLUDE.match(line):
+            yield number, match[1], match[2]
+
+
+def code_only(text):
+    """The text with comments, literals and preprocessor lines blanked out; line breaks stay where they are."""
+    blank = lambda match: '""' + "\n" * match[0].count("\n")
+    text = COMMENT_OR_LITERAL.sub(blank, text)
+    return re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", lambda match: "\n" * match[0].count("\n"), text, flags=re.M)
+
+
+def functions(text):
+    """(first line, last line) of each function body outside other functions: each {..} whose head has a parenthesis."""
+    line, head, head_line = 1, "", 1
+    open_braces = []  # for each open brace: the line its function's head starts on, or None for a namespace, class, list
+    for char in code_only(text):
+        if char == "\n":
+            line += 1
+        inside = any(open_braces)
+        if char == "{":
+            open_braces.append(head_line if "(" in head and not inside else None)
+        elif char == "}" and open_braces:
+            if start := open_braces.pop():
+                yield start, line
+        if char in "{};":
+            head = ""
+        elif head or not char.isspace():
+            head_line = head_line if head else line
+            head += char
+
+
+def check_sizes(name, text):
+    lines = text.splitlines()
+    if len(lines) > MAX_FILE:
+        yield f"{name}:{len(lines)}: longer than {MAX_FILE} lines"
+    for first, last in functions(text):
+        excused = any(re.search(r"// long: \S", line) for line in lines[max(first - 2, 0):last])
+        if last - first + 1 > MAX_FUNCTION and not excused:
+            yield f"{name}:{first}: a function of {last - first + 1} lines, more than {MAX_FUNCTION}"
+
+
+def check_includes(name, text, own_header):
+    """`own_header`: the path of the header beside a .cpp, None if there is none."""
+    module = name.split("/")[0]
+    visible = MODULES[:MODULES.index(module) + 1] if module in MODULES else FOLDERS
+    is_public_header = name.endswith(".h") and module in MODULES and "/detail/" not in name
+    found = list(includes(text))
+    if own_header and (not found or found[0][2] != own_header):
+        yield f'{name}:1: its first include is not "{own_header}"'
+    for line, quote, path in found:
+        where, target = f"{name}:{line}", path.split("/")[0]
+        if quote == '"' and target not in FOLDERS:
+            yield f'{where}: "{path}" does not start with a module'
+        elif quote == '"' and target not in visible:
+            yield f"{where}: {module} may not include {path}"
+        elif quote == '"' and "/detail/" in path and (is_public_header or module not in (target, "tests")):
+            yield f"{where}: {path} is private"
+        elif target == "CGAL" and module != "tests":
+            yield f"{where}: CGAL is for the tests alone"
+        elif target == "OpenImageIO" and module not in ("shade", "tests"):
+            yield f"{where}: OpenImageIO is for one file of shade alone"
+
+
+def check(root):
+    image_files = []
+    for folder in FOLDERS:
+        for path in sorted((root / folder).rglob("*.[hc]*")):
+            if path.suffix not in (".h", ".cpp"):
+                continue
+            name, text = path.relative_to(root).as_posix(), path.read_text()
+            header = path.with_suffix(".h") if path.suffix == ".cpp" else None
+            own_header = header.relative_to(root).as_posix() if header and header.exists() else None
+            yield from check_sizes(name, text)
+            yield from check_includes(name, text, own_header)
+            if folder == "shade" and any(target.startswith("OpenImageIO/") for _, _, target in includes(text)):
+                image_files.append(name)
+    if len(image_files) > 1:
+        yield f"{image_files[1]}:1: OpenImageIO is seen by {image_files[0]} already"
+
+
+if __name__ == "__main__":
+    breaches = list(check(Path(sys.argv[1])))
+    print("\n".join(breaches))
+    sys.exit(1 if breaches else 0)
