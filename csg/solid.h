@@ -15,6 +15,12 @@
 
 namespace csgcast {
 
+/// The disc x² + y² <= radius² at height z.
+struct Disc {
+  double z = 0;
+  double radius = 0;
+};
+
 /// What a leaf is in its own coordinates: the closed set of points where every form is <= 0.
 struct LeafShape {
   std::string kind;                 ///< the scene text's word for it: "cube", "sphere", ...
@@ -22,6 +28,8 @@ struct LeafShape {
   Box bounds;                       ///< holds the set, rounded outward
   bool is_convex_polyhedron = false;
   std::vector<Point> vertices;      ///< of a bounded polyhedron given by points (for tight bounds of moved solids); else empty
+  std::vector<Disc> discs;          ///< the convex hull of these holds the set, rounded outward (for the same); or empty
+  std::optional<Vector> semi_axes;  ///< the ellipsoid about the origin with these holds the set (for the same)
 };
 
 /// A named subtree with a density, for queries by part.

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "csg/exact/dyadic.h"
+
+// Division and square root of exact numbers, rounded in a stated direction with a relative error below 2^-128; exact
+// where the result is a dyadic number of at most 128 bits.
+
+namespace csgcast::detail {
+
+enum class Toward { down, up };  ///< minus or plus infinity
+
+/// Precondition: divisor is not zero.
+Dyadic quotient(const Dyadic& dividend, const Dyadic& divisor, Toward toward);
+/// Precondition: value >= 0.
+Dyadic square_root(const Dyadic& value, Toward toward);
+
+}  // namespace csgcast::detail

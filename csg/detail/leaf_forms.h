@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "csg/exact/quadric_form.h"
+#include "csg/solid.h"
+
+// What the makers of leaves share.
+
+namespace csgcast::detail {
+
+/// Throws Error(bad_value) that names the statement unless all numbers are finite.
+void require_finite(const std::string& statement, std::initializer_list<double> numbers);
+
+/// n . p - distance, which is <= 0 inside. Throws Error(bad_value) that names the statement if n = 0. Precondition:
+/// finite numbers.
+QuadricForm plane_form(const std::string& statement, Vector normal, double distance);
+
+/// The half-space where a plane form is <= 0.
+LeafShape halfspace_shape(QuadricForm plane);
+
+/// One canonical copy of each set f <= 0 among the forms (proportional by a positive factor: the same), in a fixed
+/// order. Precondition: none of them is constant.
+std::vector<QuadricForm> without_duplicates(const std::vector<QuadricForm>& forms);
+
+}  // namespace csgcast::detail
