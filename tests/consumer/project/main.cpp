@@ -16,6 +16,7 @@ int main() {
   IntervalList list;
   caster.intervals(list);
   for (const Interval& interval : list) std::cout << interval.entry.t << ' ' << interval.exit.t << '\n';
-  const bool right = list.size() == 2 && list[0].entry.t == 1 && list[0].exit.t == 2 && list[1].entry.t == 4 && list[1].exit.t == 5;
+  const bool right =
+      list.size() == 2 && list[0].entry.t == 1 && list[0].exit.t == 2 && list[1].entry.t == 4 && list[1].exit.t == 5;
   return right ? EXIT_SUCCESS : EXIT_FAILURE;
 }
