@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -53,12 +52,13 @@ struct Node {
   int line = 0;
   int column = 0;
 
+  // Copies, assignments and the destructor are iterative: trees may be a million deep.
   Node() = default;
-  Node(const Node&) = default;
+  Node(const Node& other);
   Node(Node&&) noexcept = default;
-  Node& operator=(const Node&) = default;
+  Node& operator=(const Node& other);
   Node& operator=(Node&&) noexcept = default;
-  ~Node();  ///< iterative: trees may be a million deep
+  ~Node();
 };
 
 /// Equal content, iteratively; places do not count.
@@ -68,6 +68,9 @@ bool operator==(const Node& a, const Node& b);
 struct Document {
   std::string file;  ///< as errors name it
   std::vector<Node> nodes;
+
+  /// Equal statements; the file's name does not count.
+  friend bool operator==(const Document& a, const Document& b) { return a.nodes == b.nodes; }
 };
 
 }  // namespace csgcast::text

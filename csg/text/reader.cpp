@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "csg/text/reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <utility>
+
+#include "csg/text/detail/parser.h"
+
+namespace csgcast::text {
+namespace {
+
+std::string contents(std::istream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
+
+[[noreturn]] void cannot_read(const std::string& path, const std::string& why) {
+  throw Error(ErrorCode::input_output, {path, 0, 0}, "cannot read this file", why, "give the path of a scene text");
+}
+
+std::string load(const std::string& path) {
+  if (path == "-") return contents(std::cin);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) cannot_read(path, "it is a directory");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) cannot_read(path, std::strerror(errno));
+  std::string text = contents(stream);
+  if (stream.bad()) cannot_read(path, std::strerror(errno));
+  return text;
+}
+
+Place place_at(std::string_view text, std::size_t position, const std::string& file) {
+  const std::string_view before = text.substr(0, position);
+  const std::size_t lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+  const std::size_t line_start = before.rfind('\n') + 1;  // 0 on the first line: npos + 1
+  return {file, static_cast<int>(lines + 1), static_cast<int>(position - line_start + 1)};
+}
+
+}  // namespace
+
+Document read(std::string_view text, std::string file) {
+  Document document;
+  document.nodes = Parser(text, file).statements();
+  document.file = std::move(file);
+  return document;
+}
+
+Document read_file(const std::string& path) {
+  const std::string file = path == "-" ? "<standard input>" : path;
+  const std::string text = load(path);
+  const std::size_t zero = text.find('\0');
+  if (zero != std::string::npos) {
+    throw Error(ErrorCode::input_output, place_at(text, zero, file), "this is not a text", "it holds a zero byte",
+                "give a scene text");
+  }
+  return read(text, file);
+}
+
+}  // namespace csgcast::text
