@@ -11,9 +11,20 @@
 
 namespace csgcast {
 
-/// A ray that starts on a surface starts exactly on it: that surface's crossing at t = 0 is 0 by definition, never computed.
+/// A ray that starts on a surface, towards one side of it. The surface has no crossing at t = 0 and is on `side` right after the start; only
+/// a crossing further on, of a curved surface, is computed. So a surface never shadows or reflects itself, and no distance is an epsilon.
 struct Departure {
   SurfaceId surface;
+  Sense side = Sense::positive;
+};
+
+/// A change of medium along a ray: what the ray is in before and after. A region is not valid where there is no solid, or an opaque one.
+struct Interface {
+  Hit hit;             ///< the boundary of the layer that begins or ends here
+  RegionId before;     ///< the transmitting region on this side
+  RegionId after;      ///< the transmitting region on the far side
+  bool into_opaque = false;
+  NodeId node;         ///< the node whose boundary the hit is: ask attribute() with it
 };
 
 /// Work done, in counts that do not drift.
@@ -48,14 +59,22 @@ class Caster {
   void intervals(NodeId node, IntervalList& list, Span span = {});
 
   /// The first crossing of the boundary in the span, entry or exit; stops as early as it can.
-  std::optional<Hit> first_hit(Span span = {});
+  std::optional<Hit> first_hit(Span span = {}) { return first_hit(scene().root(), span); }
+  std::optional<Hit> first_hit(NodeId node, Span span = {});
   /// True if the ray meets the inside of the solid anywhere in the open span. Cheaper than first_hit.
-  bool any_hit(Span span = {});
+  bool any_hit(Span span = {}) { return any_hit(scene().root(), span); }
+  bool any_hit(NodeId node, Span span = {});
 
-  /// The leaf, part, look and normal of a boundary crossing of the present ray.
-  Attribution attribute(const Hit& hit);
-  /// The look of what is inside `region` just before (exit) or after (entry) a crossing; the first positive leaf in file order that holds it.
-  LookId look_inside(RegionId region, const Hit& hit);
+  /// For scenes that transmit: the changes of medium in the span, in ascending order, ended by the first one into an opaque solid. Where layers overlap
+  /// the first in file order wins; layers of one look side by side are one medium. The vector is overwritten.
+  void interfaces(std::vector<Interface>& list, Span span = {});
+
+  /// The leaf, part, look and normal of a boundary crossing of the present ray, as a boundary of the whole solid or of one of its nodes.
+  Attribution attribute(const Hit& hit) { return attribute(scene().root(), hit); }
+  Attribution attribute(NodeId node, const Hit& hit);
+  /// The look of what is inside a node next to one of its boundary crossings: the first leaf in file order, of those that nothing subtracts, that
+  /// holds the place; not valid if there is none.
+  LookId look_inside(NodeId node, const Hit& hit);
 
   /// Where a point is. Never falsely inside or outside.
   Location locate(Point p) { return locate(scene().root(), p); }

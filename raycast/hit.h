@@ -34,12 +34,19 @@ struct Hit {
   Passage passage = Passage::entry;
 };
 
+/// The side of a surface f(p) = 0: where its canonical form is negative, or where it is positive.
+enum class Sense : std::uint8_t { negative, positive };
+
+constexpr Sense opposite(Sense sense) { return sense == Sense::negative ? Sense::positive : Sense::negative; }
+
 /// Where a hit belongs in the uncompiled tree.
 struct Attribution {
   LeafId leaf;
-  PartId part;    ///< not valid outside every named part
-  LookId look;    ///< what to shade the face with
-  Normal normal;  ///< unit, out of the solid
+  RegionId region;  ///< the region that the leaf belongs to
+  PartId part;      ///< not valid outside every named part
+  LookId look;      ///< what to shade the face with
+  Normal normal;    ///< unit, out of the solid
+  Sense front;      ///< the side of the crossing's surface on which the ray comes; the solid's boundary is left behind on the other
 };
 
 enum class Location : std::uint8_t { inside, outside, boundary };

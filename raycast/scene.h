@@ -11,13 +11,12 @@
 #include "csg/ids.h"
 #include "csg/look.h"
 #include "csg/solid.h"
+#include "raycast/hit.h"
 #include "raycast/surface.h"
 
 namespace csgcast {
 
-/// Which side of the canonical surface a half-space is: where the form is negative, or where it is positive.
-enum class Sense : std::uint8_t { negative, positive };
-
+/// The closed set on one side of a surface.
 struct HalfSpace {
   SurfaceId surface;
   Sense sense = Sense::negative;
@@ -29,6 +28,7 @@ struct Leaf {
   std::uint32_t count = 0;
   std::string kind;      ///< the scene text's word
   Place place;           ///< the statement that made it
+  RegionId region;
   PartId part;           ///< not valid outside every part
   LookId look;
   bool shows_cut = false;  ///< it counts negatively and no look is set below the subtraction: its faces show what was cut
@@ -53,7 +53,14 @@ struct Part {
 struct Region {
   NodeId node;
   PartId part;
-  LookId look;  ///< what its own statements above the solids say
+  LookId look;  ///< what the statements above the solids say; leaves may say otherwise
+  bool transmits = false;  ///< some leaf that is not cut away lets light through
+};
+
+/// What a ray in a transparent medium tells apart, in file order: each transmitting region by itself, and opaque regions next to each other together.
+struct Layer {
+  NodeId node;
+  RegionId region;  ///< the transmitting region; not valid for opaque ones
 };
 
 /// A solid compiled for rays: flat, read-only arrays, safe to share between threads.
@@ -75,6 +82,10 @@ class Scene {
   NodeId root() const { return root_; }
   std::span<const Part> parts() const { return parts_; }
   std::span<const Region> regions() const { return regions_; }
+  const Region& region(RegionId id) const { return regions_[id.index()]; }
+  /// Empty unless some region transmits.
+  std::span<const Layer> layers() const { return layers_; }
+  bool transmits() const { return !layers_.empty(); }
   /// Resolved materials, without repeats.
   std::span<const Material> looks() const { return looks_; }
   const Material& look(LookId id) const { return looks_[id.index()]; }
@@ -92,13 +103,14 @@ class Scene {
   std::vector<NodeId> children_;
   std::vector<Part> parts_;
   std::vector<Region> regions_;
+  std::vector<Layer> layers_;
   std::vector<Material> looks_;
   NodeId root_;
   Box bounds_;
   Box bounded_leaves_;
 };
 
-/// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has more than 2^26 leaves;
+/// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has more than 2^22 leaves;
 /// Error(usage) for a part below an intersection, difference or complement, or within a part.
 Scene compile(const Solid& solid);
 

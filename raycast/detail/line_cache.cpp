@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/detail/line_cache.h"
+
+namespace csgcast::detail {
+
+LineCache::LineCache(const Scene& scene)
+    : scene_(scene), line_{Ray({}, {0, 0, 1}), {}, Sense::positive, 0}, entries_(scene.surfaces().size()) {}
+
+void LineCache::begin(const Ray& ray, SurfaceId departure, Sense side) {
+  line_.ray = ray;
+  line_.departure = departure;
+  line_.departure_side = side;
+  ++ray_number_;
+}
+
+const LineCrossings& LineCache::found(SurfaceId id) {
+  Entry& entry = entries_[id.index()];
+  if (entry.ray_number != ray_number_) {
+    entry.crossings = crossings(line_, id, scene_.surface(id));
+    entry.ray_number = ray_number_;
+    ++surface_tests_;
+  }
+  return entry.crossings;
+}
+
+std::weak_ordering LineCache::order(const Crossing& a, const Crossing& b) {
+  if (!a.surface.valid() && !b.surface.valid()) {
+    return a.t < b.t ? std::weak_ordering::less : a.t > b.t ? std::weak_ordering::greater : std::weak_ordering::equivalent;
+  }
+  if (!b.surface.valid()) return order(a, b.t);
+  if (!a.surface.valid()) return 0 <=> order(b, a.t);
+  return csgcast::order(line_, view(a), view(b));
+}
+
+std::weak_ordering LineCache::order(const Crossing& a, double t) {
+  if (!a.surface.valid()) {
+    return a.t < t ? std::weak_ordering::less : a.t > t ? std::weak_ordering::greater : std::weak_ordering::equivalent;
+  }
+  return csgcast::order(line_, view(a), t);
+}
+
+LineCache::Rank LineCache::rank(SurfaceId id, const Crossing& at) {
+  const LineCrossings& list = found(id);
+  Rank rank;
+  for (std::uint8_t root = 0; root < list.count; ++root) {
+    const auto side = order(crossing(id, root), at);
+    if (side > 0) break;
+    if (side == 0) {
+      rank.ties = true;
+      break;
+    }
+    ++rank.before;
+  }
+  return rank;
+}
+
+}  // namespace csgcast::detail
