@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "raycast/caster.h"
+
+namespace csgcast {
+
+/// Rays by kind.
+struct RayCounts {
+  std::uint64_t primary = 0;
+  std::uint64_t shadow = 0;
+  std::uint64_t reflection = 0;
+  std::uint64_t transmission = 0;
+};
+
+/// Rays that were not traced, by reason.
+struct SkipCounts {
+  std::uint64_t shadow_facing_away = 0;       ///< the light is behind the surface
+  std::uint64_t shadow_without_effect = 0;    ///< unshadowed, the light would add nothing, or less than the cut-off
+  std::uint64_t reflection_below_cutoff = 0;  ///< min_contribution is more than what the ray could bring
+  std::uint64_t transmission_below_cutoff = 0;
+  std::uint64_t depth_limit = 0;  ///< rays that got the background because of max_depth
+};
+
+/// What a picture cost.
+struct RenderReport {
+  RayCounts rays;
+  SkipCounts skipped;
+  std::uint64_t total_reflections =
+      0;  ///< transmission rays that total internal reflection turned into reflection rays
+  CasterCounts casts;
+  double seconds = 0;  ///< of the wall clock, tracing
+
+  RenderReport& operator+=(const RenderReport& other);
+};
+
+}  // namespace csgcast
