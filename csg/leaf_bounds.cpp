@@ -148,9 +148,9 @@ Box world_bounds(const LeafShape& shape, const ExactAffine& world_from_solid) {
   if (!shape.vertices.empty()) return image_of_points(shape.vertices, world_from_solid);
   if (shape.semi_axes) return image_of_ellipsoid(*shape.semi_axes, world_from_solid);
   if (!shape.discs.empty()) return image_of_discs(shape.discs, world_from_solid);
-  const Box moved = image(shape.bounds, world_from_solid);
-  if (shape.forms.size() > 1) return moved;
-  return intersection(moved, detail::bounds(transformed(shape.forms.front(), world_from_solid)));
+  const Box box = image(shape.bounds, world_from_solid);
+  if (shape.forms.size() > 1) return box;
+  return intersection(box, detail::bounds(FormMover(world_from_solid).moved(shape.forms.front())));
 }
 
 }  // namespace csgcast
