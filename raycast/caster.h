@@ -82,7 +82,7 @@ class Caster {
   /// The first part in file order that holds the point inside; not valid if none.
   PartId part_at(Point p);
 
-  const CasterCounts& counts() const;
+  CasterCounts counts() const;
 
  private:
   struct State;

@@ -31,7 +31,8 @@ struct Leaf {
   RegionId region;
   PartId part;           ///< not valid outside every part
   LookId look;
-  bool shows_cut = false;  ///< it counts negatively and no look is set below the subtraction: its faces show what was cut
+  bool holds_nothing = false;  ///< some operator subtracts it: it is never what a medium is made of
+  bool shows_cut = false;      ///< it counts negatively and no look is set below the subtraction: its faces show what was cut
 };
 
 /// A Boolean node over children [first, first + count) of the scene's list of children; a leaf node has its LeafId in `first`.

@@ -14,46 +14,6 @@ constexpr std::array<std::array<Term, 3>, 3> second_degree{{{Term::xx, Term::xy,
                                                             {Term::xz, Term::yz, Term::zz}}};
 constexpr std::array<Term, 3> first_degree{Term::x, Term::y, Term::z};
 
-// A linear function of the world's coordinates, homogeneous: value = c[0] x + c[1] y + c[2] z + c[3].
-using LinearForm = std::array<Dyadic, 4>;
-
-// det(M) times the solid's coordinates as linear forms of the world's: row i of adj(M) (p - offset).
-std::array<LinearForm, 3> scaled_inverse(const ExactAffine& m) {
-  std::array<LinearForm, 3> rows;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      rows[i][j] = m.adjugate(i, j);
-      rows[i][3] -= rows[i][j] * m.offset(j);
-    }
-  }
-  return rows;
-}
-
-void add_product(QuadricForm& sum, const Dyadic& factor, const LinearForm& a, const LinearForm& b) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (a[i].is_zero() || b[j].is_zero()) continue;
-      sum.coefficient[second_degree[i][j]] += factor * a[i] * b[j];
-    }
-    sum.coefficient[first_degree[i]] += factor * (a[i] * b[3] + a[3] * b[i]);
-  }
-  sum.coefficient[Term::one] += factor * a[3] * b[3];
-}
-
-void add_multiple(QuadricForm& sum, const Dyadic& factor, const LinearForm& a) {
-  for (std::size_t i = 0; i < 3; ++i) sum.coefficient[first_degree[i]] += factor * a[i];
-  sum.coefficient[Term::one] += factor * a[3];
-}
-
-QuadricForm transformed_plane(const QuadricForm& f, const std::array<LinearForm, 3>& local, const Dyadic& determinant) {
-  QuadricForm g;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!f.coefficient[first_degree[i]].is_zero()) add_multiple(g, f.coefficient[first_degree[i]], local[i]);
-  }
-  g.coefficient[Term::one] += f.coefficient[Term::one] * determinant;
-  return determinant.sign() < 0 ? -g : g;
-}
-
 }  // namespace
 
 QuadricForm QuadricForm::plane(const Dyadic& nx, const Dyadic& ny, const Dyadic& nz, const Dyadic& offset) {
@@ -93,22 +53,54 @@ QuadricForm QuadricForm::operator-() const {
   return negated;
 }
 
-QuadricForm transformed(const QuadricForm& f, const ExactAffine& world_from_solid) {
-  const std::array<LinearForm, 3> local = scaled_inverse(world_from_solid);
-  const Dyadic determinant = world_from_solid.determinant();
-  assert(!determinant.is_zero());
-  if (f.is_plane()) return transformed_plane(f, local, determinant);
+FormMover::FormMover(const ExactAffine& world_from_solid) : determinant_(world_from_solid.determinant()) {
+  assert(!determinant_.is_zero());
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      local_[i][j] = world_from_solid.adjugate(i, j);
+      local_[i][3] -= local_[i][j] * world_from_solid.offset(j);
+    }
+  }
+}
+
+void FormMover::add_product(QuadricForm& sum, const Dyadic& factor, const LinearForm& a, const LinearForm& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (a[i].is_zero() || b[j].is_zero()) continue;
+      sum.coefficient[second_degree[i][j]] += factor * a[i] * b[j];
+    }
+    sum.coefficient[first_degree[i]] += factor * (a[i] * b[3] + a[3] * b[i]);
+  }
+  sum.coefficient[Term::one] += factor * a[3] * b[3];
+}
+
+void FormMover::add_multiple(QuadricForm& sum, const Dyadic& factor, const LinearForm& a) {
+  for (std::size_t i = 0; i < 3; ++i) sum.coefficient[first_degree[i]] += factor * a[i];
+  sum.coefficient[Term::one] += factor * a[3];
+}
+
+QuadricForm FormMover::moved_plane(const QuadricForm& f) const {
+  QuadricForm g;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!f.coefficient[first_degree[i]].is_zero()) add_multiple(g, f.coefficient[first_degree[i]], local_[i]);
+  }
+  g.coefficient[Term::one] += f.coefficient[Term::one] * determinant_;
+  return determinant_.sign() < 0 ? -g : g;
+}
+
+QuadricForm FormMover::moved(const QuadricForm& f) const {
+  if (f.is_plane()) return moved_plane(f);
   // f(adj(M) (p - b) / det) times det², which is positive.
   QuadricForm g;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
       const Dyadic& c = f.coefficient[second_degree[i][j]];
-      if (!c.is_zero()) add_product(g, c, local[i], local[j]);
+      if (!c.is_zero()) add_product(g, c, local_[i], local_[j]);
     }
     const Dyadic& c = f.coefficient[first_degree[i]];
-    if (!c.is_zero()) add_multiple(g, c * determinant, local[i]);
+    if (!c.is_zero()) add_multiple(g, c * determinant_, local_[i]);
   }
-  g.coefficient[Term::one] += f.coefficient[Term::one] * determinant * determinant;
+  g.coefficient[Term::one] += f.coefficient[Term::one] * determinant_ * determinant_;
   return g;
 }
 

@@ -26,9 +26,29 @@ struct QuadricForm {
   friend bool operator==(const QuadricForm&, const QuadricForm&) = default;
 };
 
-/// The form g of the moved surface: g(world_from_solid(p)) has the sign of f(p) for every p.
-/// Precondition: world_from_solid is not singular. g is f(adj(M) p) for a quadric and sign(det) times it for a plane.
-QuadricForm transformed(const QuadricForm& f, const ExactAffine& world_from_solid);
+/// Moves surfaces: moved(f) = g such that g(world_from_solid(p)) has the sign of f(p) for every p. g is f(adj(M) p) for a quadric and
+/// sign(det) times it for a plane.
+class FormMover {
+ public:
+  /// Precondition: world_from_solid is not singular.
+  explicit FormMover(const ExactAffine& world_from_solid);
+  QuadricForm moved(const QuadricForm& f) const;
+
+ private:
+  // A linear function of the world's coordinates, homogeneous: c[0] x + c[1] y + c[2] z + c[3].
+  using LinearForm = std::array<Dyadic, 4>;
+  QuadricForm moved_plane(const QuadricForm& f) const;
+  static void add_product(QuadricForm& sum, const Dyadic& factor, const LinearForm& a, const LinearForm& b);
+  static void add_multiple(QuadricForm& sum, const Dyadic& factor, const LinearForm& a);
+
+  std::array<LinearForm, 3> local_;  // determinant times the solid's coordinates
+  Dyadic determinant_;
+};
+
+/// One form moved: see FormMover.
+inline QuadricForm transformed(const QuadricForm& f, const ExactAffine& world_from_solid) {
+  return FormMover(world_from_solid).moved(f);
+}
 
 /// A form scaled to coprime integers (exponent 0 or more) whose first non-zero coefficient is positive: equal for proportional forms.
 struct CanonicalForm {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/caster.h"
+
+#include <cassert>
+
+#include "raycast/detail/caster_state.h"
+#include "raycast/interval_list.h"
+
+namespace csgcast {
+
+CasterCounts& CasterCounts::operator+=(const CasterCounts& other) {
+  rays += other.rays;
+  surface_tests += other.surface_tests;
+  box_tests += other.box_tests;
+  leaf_tests += other.leaf_tests;
+  exact_calls += other.exact_calls;
+  return *this;
+}
+
+Caster::Caster(const Scene& scene) : state_(std::make_unique<State>(scene)) {}
+Caster::~Caster() = default;
+Caster::Caster(Caster&&) noexcept = default;
+
+const Scene& Caster::scene() const { return state_->scene; }
+
+void Caster::begin(const Ray& ray, std::optional<Departure> departure) {
+  const Departure from = departure.value_or(Departure{});
+  state_->cache.begin(ray, from.surface, from.side);
+  ++state_->rays;
+}
+
+void Caster::intervals(NodeId node, IntervalList& list, Span span) {
+  list = state_->evaluator.evaluate(node, span, detail::Want::all);
+  state_->clip_and_bound(node, list, span);
+}
+
+std::optional<Hit> Caster::first_hit(NodeId node, Span span) {
+  State& state = *state_;
+  IntervalList& list = state.list;
+  list = state.evaluator.evaluate(node, span, detail::Want::first);
+  clip(list, span, [&](const Crossing& a, double t) { return state.cache.order(a, t); });
+  if (list.empty()) return std::nullopt;
+  Hit hit{list.front().entry, Passage::entry};
+  // A list that begins inside has its first boundary at the exit, if anywhere.
+  if (!hit.crossing.surface.valid()) hit = {list.front().exit, Passage::exit};
+  if (!hit.crossing.surface.valid()) return std::nullopt;
+  hit.crossing = state.bounding(node, hit.crossing);
+  return hit;
+}
+
+bool Caster::any_hit(NodeId node, Span span) {
+  State& state = *state_;
+  for (const Interval& interval : state.evaluator.evaluate(node, span, detail::Want::any)) {
+    if (state.cache.order(interval.exit, span.from) > 0 && state.cache.order(interval.entry, span.to) < 0) return true;
+  }
+  return false;
+}
+
+CasterCounts Caster::counts() const {
+  const State& state = *state_;
+  return {state.rays, state.cache.surface_tests(), state.evaluator.box_tests(), state.evaluator.leaf_tests(), state.cache.exact_calls()};
+}
+
+Crossing Caster::State::bounding(NodeId node, const Crossing& crossing) {
+  neighbourhood.move_to(node, crossing);
+  return neighbourhood.bounding_crossing();
+}
+
+void Caster::State::clip_and_bound(NodeId node, IntervalList& intervals, Span span) {
+  clip(intervals, span, [&](const Crossing& a, double t) { return cache.order(a, t); });
+  for (Interval& interval : intervals) {
+    if (interval.entry.surface.valid()) interval.entry = bounding(node, interval.entry);
+    if (interval.exit.surface.valid()) interval.exit = bounding(node, interval.exit);
+  }
+}
+
+}  // namespace csgcast

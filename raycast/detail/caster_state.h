@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "raycast/caster.h"
+#include "raycast/detail/evaluator.h"
+#include "raycast/detail/line_cache.h"
+#include "raycast/detail/local_tree.h"
+#include "raycast/detail/neighbourhood.h"
+
+namespace csgcast {
+
+/// What a caster keeps between queries, so that they need not allocate.
+struct Caster::State {
+  explicit State(const Scene& s) : scene(s), cache(s), evaluator(s, cache), neighbourhood(s, cache) {}
+
+  /// The crossing of the surface that bounds the node where a merged list ends, by the tie rule.
+  Crossing bounding(NodeId node, const Crossing& crossing);
+  /// Cuts an evaluated list to the span and settles which surfaces bound it.
+  void clip_and_bound(NodeId node, IntervalList& intervals, Span span);
+
+  const Scene& scene;
+  detail::LineCache cache;
+  detail::Evaluator evaluator;
+  detail::Neighbourhood neighbourhood;
+  detail::LocalTree near_point;
+  IntervalList list;
+  std::vector<IntervalList> layer_lists;
+  std::vector<std::size_t> layer_passed;
+  std::uint64_t rays = 0;
+};
+
+}  // namespace csgcast

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "csg/exact/affine.h"
+#include "raycast/detail/surface_table.h"
+#include "raycast/scene.h"
+
+namespace csgcast {
+
+/// Flattens a solid into a scene in one iterative walk over its tree, in file order.
+class SceneCompiler {
+ public:
+  Scene compile(const Solid& solid);
+
+ private:
+  // What the nodes above a node mean for it.
+  struct Context {
+    std::shared_ptr<const ExactAffine> world_from_solid;  // null: the identity
+    std::shared_ptr<const LookContext> looks;
+    LookId look;
+    PartId part;
+    bool at_union_level = true;   // only unions, transforms, looks and parts above
+    bool negative = false;        // an odd number of subtractions and complements above
+    bool below_cut = false;       // any number of them but none
+    bool look_below_cut = false;  // and a look between the outermost of them and here
+  };
+  struct Frame {
+    Solid solid;
+    Context context;           // of the node itself
+    std::size_t results;       // where the children's nodes start in results_
+    std::uint32_t first_leaf;  // the number of leaves when it was opened
+    std::uint32_t next = 0;    // the child to visit next
+  };
+  // A solid at union level, before such solids are gathered into regions.
+  struct Body {
+    NodeId node;
+    PartId part;
+    LookId look;
+    std::uint32_t first_leaf;
+    std::uint32_t leaf_end;
+    bool transmits;
+  };
+
+  void visit(const Solid& solid, const Context& context);
+  void close();
+  void deliver(NodeId node, const Context& context, std::uint32_t first_leaf);
+  Context child_context(const Frame& frame);
+  void add_body(NodeId node, const Context& context, std::uint32_t first_leaf);
+  NodeId add_leaf(const Solid& solid, const Context& context);
+  bool add_half_spaces(const LeafShape& shape, const ExactAffine* world_from_solid, Leaf& leaf, Point center);
+  NodeId add_node(Node::Op op, std::span<const NodeId> children);
+  NodeId add_union(std::vector<NodeId> children);
+  NodeId add_subtract(std::span<const NodeId> children);
+  Box box_of(Node::Op op, std::span<const NodeId> children) const;
+  LookId look_id(const LookContext& looks);
+  PartId add_part(const Solid& solid, const Context& context);
+  void gather_regions();
+  void gather_parts();
+  void gather_layers();
+  void widen_boxes();
+
+  Scene scene_;
+  detail::SurfaceTable surfaces_;
+  std::vector<Frame> frames_;
+  std::vector<NodeId> results_;
+  std::vector<Body> bodies_;
+  std::map<std::vector<double>, LookId> look_ids_;
+};
+
+}  // namespace csgcast
