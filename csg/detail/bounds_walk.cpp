@@ -7,6 +7,7 @@ namespace {
 using Kind = Solid::Kind;
 
 constexpr std::size_t most_composed = 1000;  // alive at a time: each holds twelve long numbers
+constexpr std::size_t most_repetitions = 300'000;
 constexpr std::size_t longest_entry = 4096;  // bits
 
 // Only the first child bounds a difference.
@@ -71,8 +72,13 @@ void BoundsWalk::enter(const Solid& solid) {
   if (solid.kind() == Kind::transform) enter_transform(frame);
 }
 
+bool BoundsWalk::may_compose(const Solid& transform) {
+  if (!entered_.insert(transform.identity()).second) ++repetitions_;
+  return composed_.size() <= most_composed && repetitions_ <= most_repetitions;
+}
+
 void BoundsWalk::enter_transform(Frame& frame) {
-  if (composed_.size() <= most_composed) {
+  if (may_compose(*frame.solid)) {
     ExactAffine product = composed_[present_].world_from_solid * ExactAffine(frame.solid->transform());
     if (product.bits() <= longest_entry) {
       composed_.push_back({std::move(product), ++last_name_});

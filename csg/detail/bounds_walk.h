@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -45,12 +46,15 @@ class BoundsWalk {
   std::optional<Box> known_box(const Solid& solid) const;
   void enter(const Solid& solid);
   void enter_transform(Frame& frame);
+  bool may_compose(const Solid& transform);
   Box leave();
 
   std::vector<Composed> composed_;  // the first is the identity
   std::size_t present_ = 0;         // the one that leaves are now under
   std::uint64_t last_name_ = 0;
   std::vector<Frame> frames_;
+  std::unordered_set<const void*> entered_;  // transforms met so far
+  std::size_t repetitions_ = 0;              // met again, under another transform
   std::unordered_map<Key, Box, KeyHash> boxes_;
 };
 
