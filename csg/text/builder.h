@@ -17,7 +17,8 @@ struct BuildOptions {
   Facets facets = Facets::automatic;
 };
 
-/// What the statements mean. Throws Error naming the first (in file order) statement that is unknown, wrongly used or not supported yet, with its place.
+/// What the statements mean. Throws Error naming the first (in file order) statement that is unknown, wrongly used or
+/// not supported yet, with its place.
 SceneDescription build(const Document& document, const BuildOptions& options = {});
 
 }  // namespace csgcast::text

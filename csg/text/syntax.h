@@ -17,7 +17,8 @@ struct Undef {
   friend bool operator==(Undef, Undef) = default;
 };
 
-/// A literal of the scene text. Numbers are kept as the double they read to; `inf` and `nan` stand as words (OpenSCAD reads them as undef).
+/// A literal of the scene text. Numbers are kept as the double they read to; `inf` and `nan` stand as words (OpenSCAD
+/// reads them as undef).
 struct Value {
   struct Word {  ///< an identifier where a value stands: `inf`, `-inf`, `nan`; OpenSCAD reads it as undef
     std::string name;

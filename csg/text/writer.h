@@ -7,7 +7,8 @@
 
 namespace csgcast::text {
 
-/// The document as scene text in OpenSCAD's own layout, numbers so that they read back to the same double: read(write(d)) == d.
+/// The document as scene text in OpenSCAD's own layout, numbers so that they read back to the same double:
+/// read(write(d)) == d.
 std::string write(const Document& document);
 
 }  // namespace csgcast::text

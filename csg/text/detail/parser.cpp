@@ -199,7 +199,7 @@ Value Parser::signed_value() {
     fail(token_, fmt::format("a number after '{}'", first.spelling), "write a plain number such as -2.5");
   }
   Value result = value_at(first);
-  result.data = Value::Word{(sign == Sign::minus ? "-" : "") + std::string(token_.spelling)};
+  result.data = Value::Word{fmt::format("{}{}", sign == Sign::minus ? "-" : "", token_.spelling)};
   step();
   return result;
 }
