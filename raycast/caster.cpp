@@ -36,16 +36,17 @@ void Caster::intervals(NodeId node, IntervalList& list, Span span) {
 
 std::optional<Hit> Caster::first_hit(NodeId node, Span span) {
   State& state = *state_;
-  IntervalList& list = state.list;
-  list = state.evaluator.evaluate(node, span, detail::Want::first);
-  clip(list, span, [&](const Crossing& a, double t) { return state.cache.order(a, t); });
-  if (list.empty()) return std::nullopt;
-  Hit hit{list.front().entry, Passage::entry};
-  // A list that begins inside has its first boundary at the exit, if anywhere.
-  if (!hit.crossing.surface.valid()) hit = {list.front().exit, Passage::exit};
-  if (!hit.crossing.surface.valid()) return std::nullopt;
-  hit.crossing = state.bounding(node, hit.crossing);
-  return hit;
+  // The first entry is right as soon as nothing nearer can come. A ray that starts inside has its first boundary at the exit, which takes the whole list.
+  for (const detail::Want want : {detail::Want::first, detail::Want::all}) {
+    IntervalList& list = state.list;
+    list = state.evaluator.evaluate(node, span, want);
+    clip(list, span, [&](const Crossing& a, double t) { return state.cache.order(a, t); });
+    if (list.empty()) return std::nullopt;
+    const Interval& first = list.front();
+    if (first.entry.surface.valid()) return Hit{state.bounding(node, first.entry), Passage::entry};
+    if (want == detail::Want::all && first.exit.surface.valid()) return Hit{state.bounding(node, first.exit), Passage::exit};
+  }
+  return std::nullopt;
 }
 
 bool Caster::any_hit(NodeId node, Span span) {

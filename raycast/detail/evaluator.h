@@ -13,7 +13,7 @@ namespace csgcast::detail {
 /// How much of the list is wanted.
 enum class Want : std::uint8_t {
   all,    ///< every interval in the span
-  first,  ///< right up to the first boundary in the span, arbitrary beyond
+  first,  ///< whether the span's start is inside, and the first entry if it is not; arbitrary beyond
   any,    ///< some interval with an inside in the span, if there is one
 };
 
