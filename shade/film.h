@@ -16,7 +16,8 @@ enum class FilmContent : std::uint8_t {
   depth,   ///< lengths, infinite where there is nothing; in 8 bits the nearest is white, the farthest dark, nothing
            ///< black
   length,  ///< lengths, 0 where there is nothing; in 8 bits the longest finite one is white, and so are infinite ones
-  id,      ///< whole numbers, -1 where there is nothing; in 8 bits a colour of its own for each, nothing black
+  id,      ///< whole numbers, -1 where there is nothing; in 8 bits each a colour unlike that of the numbers next to it,
+           ///< nothing black
 };
 
 constexpr int channels(FilmContent content) {

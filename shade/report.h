@@ -18,7 +18,7 @@ struct RayCounts {
 /// Rays that were not traced, by reason.
 struct SkipCounts {
   std::uint64_t shadow_facing_away = 0;       ///< the light is behind the surface
-  std::uint64_t shadow_without_effect = 0;    ///< unshadowed, the light would add nothing, or less than the cut-off
+  std::uint64_t shadow_without_effect = 0;    ///< the light would add nothing even where nothing blocks it
   std::uint64_t reflection_below_cutoff = 0;  ///< min_contribution is more than what the ray could bring
   std::uint64_t transmission_below_cutoff = 0;
   std::uint64_t depth_limit = 0;  ///< rays that got the background because of max_depth

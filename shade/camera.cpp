@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "shade/camera.h"
+
+#include <cmath>
+
+#include "csg/error.h"
+#include "csg/transform.h"
+
+namespace csgcast {
+namespace {
+
+[[noreturn]] void refuse(const std::string& problem, const std::string& why, const std::string& remedy) {
+  throw Error(ErrorCode::bad_value, {}, problem, why, remedy);
+}
+
+void check(const CameraDescription& camera) {
+  if (!is_finite(camera.eye) || !is_finite(camera.look_at) || !is_finite(camera.up)) {
+    refuse("the camera has a number that is not finite", "eye, look_at and up must be", "give ordinary numbers");
+  }
+  if (normalised(camera.look_at - camera.eye) == Vector{}) {
+    refuse("the camera looks nowhere", "eye and look_at are the same point or too far apart", "move one of them");
+  }
+  if (camera.height) {
+    if (!(*camera.height > 0) || !std::isfinite(*camera.height)) {
+      refuse("the camera's height is not positive", "a parallel view shows that much of the scene",
+             "give a length above 0");
+    }
+  } else if (!(camera.fov > 0 && camera.fov < 180)) {
+    refuse("the camera's field of view is out of range", "it is the vertical angle of the picture",
+           "give degrees between 0 and 180");
+  }
+}
+
+// Unit and to the right of the view, for the first usable of some vectors as what is up.
+Vector right_of(Vector forward, Vector up) {
+  constexpr double parallel = 1e-9;  // |sin| of the angle below which rounding would turn the picture about
+  for (const Vector candidate : {normalised(up), Vector{0, 0, 1}, Vector{0, 1, 0}}) {
+    const Vector right = cross(forward, candidate);
+    if (length(right) > parallel) return normalised(right);
+  }
+  return {1, 0, 0};  // not reached: forward is not along both z and y
+}
+
+}  // namespace
+
+Camera::Camera(const CameraDescription& description, int width, int height)
+    : parallel_(description.height.has_value()), eye_(description.eye), width_(width), height_(height) {
+  check(description);
+  forward_ = normalised(description.look_at - description.eye);
+  right_ = right_of(forward_, description.up);
+  up_ = cross(right_, forward_);
+  const double extent = parallel_ ? *description.height : 2 * std::tan(description.fov / 360 * std::acos(-1.0));
+  pixel_ = extent / height_;
+}
+
+Ray Camera::ray(double x, double y) const {
+  const Vector offset = pixel_ * ((x - width_ / 2) * right_ + (height_ / 2 - y) * up_);
+  if (parallel_) return {eye_ + offset, forward_};
+  return {eye_, normalised(forward_ + offset)};
+}
+
+}  // namespace csgcast

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "shade/detail/encode.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace csgcast::detail {
+namespace {
+
+// The farthest is this light, so that it differs from nothing at all.
+constexpr double farthest_shade = 0.1;
+
+// Low and high end of the finite values; both 0 if there is none.
+std::array<double, 2> range_of(const Film& film) {
+  bool any = false;
+  std::array<double, 2> range{};
+  for (const float value : film.values()) {
+    if (!std::isfinite(value)) continue;
+    const double v = value;
+    range = any ? std::array{std::min(range[0], v), std::max(range[1], v)} : std::array{v, v};
+    any = true;
+  }
+  return range;
+}
+
+double shade_of_depth(double depth, std::array<double, 2> range) {
+  if (!std::isfinite(depth)) return 0;
+  const double extent = range[1] - range[0];
+  return extent > 0 ? 1 - (1 - farthest_shade) * (depth - range[0]) / extent : 1;
+}
+
+double shade_of_length(double length, double longest) {
+  if (length <= 0) return 0;
+  return std::isfinite(length) ? length / longest : 1;
+}
+
+// One after another a golden ratio of the circle of hues apart, in three lightnesses.
+std::array<double, 3> color_of_id(double id) {
+  if (id < 0) return {};
+  constexpr double golden = 0.6180339887498949;
+  constexpr std::array<double, 3> lightness{1.0, 0.75, 0.5};
+  const double hue = std::fmod(id * golden, 1.0);
+  const double value = lightness[static_cast<std::size_t>(std::fmod(id, 3.0))];
+  const auto channel = [&](double third) {
+    const double wave = std::fabs(std::fmod(hue + third, 1.0) * 6 - 3) - 1;
+    return value * (0.25 + 0.75 * std::clamp(wave, 0.0, 1.0));
+  };
+  return {channel(0), channel(2.0 / 3), channel(1.0 / 3)};
+}
+
+}  // namespace
+
+std::uint8_t to_byte(double x) {
+  if (!(x > 0)) return 0;
+  return static_cast<std::uint8_t>(std::floor(std::min(x, 1.0) * 255 + 0.5));
+}
+
+EncodedFilm encode(const Film& film) {
+  EncodedFilm result{film.content() == FilmContent::id ? 3 : channels(film.content()), {}};
+  const std::vector<float>& values = film.values();
+  result.bytes.reserve(values.size() * static_cast<std::size_t>(result.channels / channels(film.content())));
+  const bool scaled = film.content() == FilmContent::depth || film.content() == FilmContent::length;
+  const std::array<double, 2> range = scaled ? range_of(film) : std::array<double, 2>{};
+  for (const float value : values) {
+    switch (film.content()) {
+      case FilmContent::color:
+        result.bytes.push_back(to_byte(srgb_from_linear(std::min(value, 1.0F))));
+        break;
+      case FilmContent::normal:
+        result.bytes.push_back(to_byte(value));
+        break;
+      case FilmContent::depth:
+        result.bytes.push_back(to_byte(shade_of_depth(value, range)));
+        break;
+      case FilmContent::length:
+        result.bytes.push_back(to_byte(shade_of_length(value, range[1])));
+        break;
+      case FilmContent::id:
+        for (const double channel : color_of_id(value)) result.bytes.push_back(to_byte(channel));
+        break;
+    }
+  }
+  return result;
+}
+
+}  // namespace csgcast::detail

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "raycast/caster.h"
+#include "raycast/hit.h"
+#include "raycast/ray.h"
+
+namespace csgcast::detail {
+
+/// What a ray of unit direction sees first, without light. Nothing if the leaf is not valid.
+struct Sight {
+  double t = 0;
+  Point point;
+  Vector normal;      ///< unit, towards the viewer
+  double facing = 0;  ///< cosine between the normal and the direction to the viewer, >= 0
+  SurfaceId surface;
+  LeafId leaf;
+  PartId part;
+  LookId look;
+};
+
+/// The first boundary of the whole solid on the ray.
+Sight look_along(Caster& caster, const Ray& ray);
+
+/// How long the ray is inside the solid; infinite if it stays there.
+double length_inside(Caster& caster, const Ray& ray, IntervalList& scratch);
+
+}  // namespace csgcast::detail

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace csgcast::detail {
+
+/// Writes a file that appears whole or not at all: beside its target (the link's own, if it is a symbolic link), then
+/// renamed. On failure throws Error(input_output), removes what was written and leaves an existing file as it was.
+void write_whole_file(const std::string& path, std::span<const std::byte> bytes);
+
+}  // namespace csgcast::detail

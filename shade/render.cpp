@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "shade/render.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+#include "csg/error.h"
+#include "shade/camera.h"
+#include "shade/detail/tiles.h"
+
+namespace csgcast {
+namespace {
+
+constexpr int tile_side = 32;
+constexpr int longest_side = 65536;
+constexpr std::int64_t most_pixels = std::int64_t{1} << 27;
+constexpr int most_samples = 1024;
+
+void check(const RenderOptions& options) {
+  const auto refuse = [](const std::string& problem, const std::string& why, const std::string& remedy) {
+    throw Error(ErrorCode::limit, {}, problem, why, remedy);
+  };
+  const std::int64_t pixels = std::int64_t{options.width} * options.height;
+  const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
+  if (options.width < 1 || options.height < 1)
+    refuse("a picture of " + size, "it has no pixels", "give positive sizes");
+  if (options.width > longest_side || options.height > longest_side || pixels > most_pixels) {
+    refuse("a picture of " + size, "at most 65536 pixels a side and 134217728 in all fit", "give a smaller size");
+  }
+  if (options.samples < 1 || options.samples > most_samples) {
+    refuse(std::to_string(options.samples) + " samples a pixel", "1 to 1024 are possible",
+           "give a number in that range");
+  }
+}
+
+// Samples a pixel along each axis.
+int grid_of(const RenderOptions& options) {
+  const bool averages = options.mode == Mode::shaded || options.mode == Mode::edges || options.mode == Mode::xray;
+  int grid = 1;
+  while (averages && grid * grid < options.samples) ++grid;
+  return grid;
+}
+
+std::vector<detail::Tile> tiles_of(int width, int height) {
+  std::vector<detail::Tile> tiles;
+  for (int y = 0; y < height; y += tile_side) {
+    for (int x = 0; x < width; x += tile_side) {
+      tiles.push_back({x, y, std::min(x + tile_side, width), std::min(y + tile_side, height)});
+    }
+  }
+  return tiles;
+}
+
+// Tells how much is done, ascending, one thread at a time.
+class Progress {
+ public:
+  Progress(const std::function<void(double)>& tell, std::size_t total) : tell_(tell), total_(total) {}
+
+  void add_one() {
+    if (!tell_) return;
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    tell_(static_cast<double>(done_) / static_cast<double>(total_));
+  }
+
+ private:
+  const std::function<void(double)>& tell_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+RenderReport& RenderReport::operator+=(const RenderReport& other) {
+  rays.primary += other.rays.primary;
+  rays.shadow += other.rays.shadow;
+  rays.reflection += other.rays.reflection;
+  rays.transmission += other.rays.transmission;
+  skipped.shadow_facing_away += other.skipped.shadow_facing_away;
+  skipped.shadow_without_effect += other.skipped.shadow_without_effect;
+  skipped.reflection_below_cutoff += other.skipped.reflection_below_cutoff;
+  skipped.transmission_below_cutoff += other.skipped.transmission_below_cutoff;
+  skipped.depth_limit += other.skipped.depth_limit;
+  total_reflections += other.total_reflections;
+  casts += other.casts;
+  seconds += other.seconds;
+  return *this;
+}
+
+FilmContent content(Mode mode) {
+  switch (mode) {
+    case Mode::shaded:
+    case Mode::edges:
+      return FilmContent::color;
+    case Mode::xray:
+      return FilmContent::length;
+    case Mode::depth:
+      return FilmContent::depth;
+    case Mode::normal:
+      return FilmContent::normal;
+    case Mode::id:
+      return FilmContent::id;
+  }
+  return FilmContent::color;
+}
+
+Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report) {
+  const auto start = std::chrono::steady_clock::now();
+  check(options);
+  const Camera camera(view.camera, options.width, options.height);
+  const detail::Job job{scene, view, camera, options.mode, grid_of(options)};
+  Film film(options.width, options.height, content(options.mode));
+  const std::vector<detail::Tile> tiles = tiles_of(options.width, options.height);
+  Progress progress(options.progress, tiles.size());
+  tbb::enumerable_thread_specific<detail::TileRenderer> renderers([&] { return detail::TileRenderer(job); });
+  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, tiles.size(), 1),
+        [&](const auto& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            renderers.local().render(tiles[i], film);
+            progress.add_one();
+          }
+        },
+        tbb::simple_partitioner());
+  });
+  if (report != nullptr) {
+    for (const detail::TileRenderer& renderer : renderers) *report += renderer.report();
+    report->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  return film;
+}
+
+std::string trace_pixel(const Scene& scene, const View& view, const RenderOptions& options, int x, int y) {
+  check(options);
+  if (x < 0 || y < 0 || x >= options.width || y >= options.height) {
+    throw Error(ErrorCode::usage, {},
+                "pixel " + std::to_string(x) + "," + std::to_string(y) + " is outside the picture",
+                "columns and rows count from 0 at the top left",
+                "give one below " + std::to_string(options.width) + "," + std::to_string(options.height));
+  }
+  const Camera camera(view.camera, options.width, options.height);
+  Caster caster(scene);
+  Tracer tracer(caster, view);
+  RayTree tree;
+  const Rgb color = tracer.trace(camera.ray(x + 0.5, y + 0.5), &tree);
+  return fmt::format("pixel {},{}: linear [{:.6g} {:.6g} {:.6g}]\n", x, y, color.r, color.g, color.b) +
+         to_string(tree, scene);
+}
+
+}  // namespace csgcast
