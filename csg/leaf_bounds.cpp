@@ -145,6 +145,7 @@ Box image(const Box& box, const ExactAffine& world_from_solid) {
 }
 
 Box world_bounds(const LeafShape& shape, const ExactAffine& world_from_solid) {
+  if (world_from_solid == ExactAffine()) return shape.bounds;
   if (!shape.vertices.empty()) return image_of_points(shape.vertices, world_from_solid);
   if (shape.semi_axes) return image_of_ellipsoid(*shape.semi_axes, world_from_solid);
   if (!shape.discs.empty()) return image_of_discs(shape.discs, world_from_solid);
