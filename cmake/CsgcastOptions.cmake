@@ -19,10 +19,6 @@ endif()
 # csgcast_library(NAME): csgcast_NAME from the sources of the present folder, alias csgcast::NAME.
 function(csgcast_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  if(NOT sources)  # a folder whose first source is still to come
-    set(sources ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
-    file(TOUCH ${sources})
-  endif()
   add_library(csgcast_${name} ${sources})
   add_library(csgcast::${name} ALIAS csgcast_${name})
   set_target_properties(csgcast_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
