@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "csg/primitives.h"
+#include "raycast/caster.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/catch.h"
+#include "tests/support/random_solid.h"
+
+using namespace csgcast;
+using test::RandomSolids;
+
+namespace {
+
+void check_end(Caster& caster, const Crossing& end, Passage passage, const test::DefinedEnd& defined) {
+  CHECK(end.surface == defined.surface);
+  if (!end.surface.valid()) return;
+  // A few roundings of numbers up to about 8, and of t itself where a face is met at a flat angle.
+  CHECK(end.t == Approx(defined.t.get_d()).epsilon(1e-12).margin(64 * 8 * 0x1p-53 / 0.25));
+  CHECK(caster.attribute({end, passage}).leaf == defined.leaf);
+}
+
+// Rays along the grid, through its points, edges and faces, and a few that miss all of them.
+Ray grid_ray(RandomSolids& random) {
+  for (;;) {
+    const Point origin{random.quarter(-2, 2), random.quarter(-2, 2), random.quarter(-2, 2)};
+    const Vector direction{random.quarter(-1, 1), random.quarter(-1, 1), random.quarter(-1, 1)};
+    if (random.index(8) == 0) return Ray(random.point(2), random.direction());
+    if (direction != Vector{}) return Ray(origin, direction);
+  }
+}
+
+void compare(RandomSolids& random, const Solid& solid, int rays) {
+  const Scene scene = compile(solid);
+  Caster caster(scene);
+  IntervalList list;
+  for (int i = 0; i < rays; ++i) {
+    const Ray ray = grid_ray(random);
+    const auto defined = test::intervals_by_definition(scene, ray);
+    caster.begin(ray);
+    caster.intervals(list, Span::line());
+    REQUIRE(list.size() == defined.size());
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      check_end(caster, list[k].entry, Passage::entry, defined[k].entry);
+      check_end(caster, list[k].exit, Passage::exit, defined[k].exit);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("grid boxes: lists, bounding surfaces and leaves are those of the definition, ties included") {
+  RandomSolids random(11);
+  for (int n = 0; n < 300; ++n) {
+    compare(random, random.tree(2 + n % 9, [&] { return random.grid_box(); }), 40);
+  }
+}
+
+TEST_CASE("corner-sharing polyhedra: the same") {
+  RandomSolids random(12);
+  for (int n = 0; n < 200; ++n) {
+    compare(random, random.tree(2 + n % 5, [&] {
+      std::vector<Point> points(6);
+      for (Point& p : points) p = {random.quarter(-1, 1), random.quarter(-1, 1), random.quarter(-1, 1)};
+      return convex_from_points(points);
+    }), 40);
+  }
+}
+
+TEST_CASE("half-spaces and their complements: the same") {
+  RandomSolids random(13);
+  for (int n = 0; n < 200; ++n) {
+    compare(random, random.tree(2 + n % 6, [&] {
+      Vector normal;
+      while (normal == Vector{}) normal = {random.quarter(-1, 1), random.quarter(-1, 1), random.quarter(-1, 1)};
+      const Solid half = halfspace(normal, random.quarter(-1, 1));
+      return random.index(3) == 0 ? complement(half) : half;
+    }), 40);
+  }
+}
