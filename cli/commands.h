@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cli/options.h"
+
+namespace csgcast::cli {
+
+/// Each adds its command to the program's line.
+Command render_command(CLI::App& program);
+Command intervals_command(CLI::App& program);
+Command locate_command(CLI::App& program);
+Command info_command(CLI::App& program);
+
+}  // namespace csgcast::cli

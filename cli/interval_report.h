@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+#include "raycast/hit.h"
+#include "raycast/ray.h"
+#include "raycast/scene.h"
+
+namespace csgcast::cli {
+
+/// An interval with what is at its ends; an end that no surface makes (cut off, or infinite) has no face.
+struct FacedInterval {
+  Interval interval;
+  std::optional<Attribution> entry;
+  std::optional<Attribution> exit;
+  PartId part;  ///< not valid outside every part
+};
+
+/// Writes the intervals of rays in one format: head, rays in their order, tail.
+class IntervalReport {
+ public:
+  /// The scene must outlive the report.
+  IntervalReport(const Scene& scene, Format format) : scene_(scene), format_(format) {}
+
+  std::string head() const;
+  /// Appends what one ray meets. Safe to call from many threads.
+  void append(std::string& out, std::uint64_t index, const Ray& ray, std::span<const FacedInterval> intervals) const;
+  std::string tail() const;
+
+ private:
+  void append_csv(std::string& out, std::uint64_t index, const FacedInterval& interval) const;
+  void append_json(std::string& out, std::uint64_t index, const Ray& ray,
+                   std::span<const FacedInterval> intervals) const;
+  void append_table(std::string& out, std::uint64_t index, const Ray& ray,
+                    std::span<const FacedInterval> intervals) const;
+  std::string solid_place(const std::optional<Attribution>& face) const;
+  const std::string* part_name(PartId part) const;
+
+  const Scene& scene_;
+  Format format_;
+};
+
+}  // namespace csgcast::cli

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/interval_report.h"
+#include "cli/rows_option.h"
+#include "raycast/caster.h"
+
+namespace csgcast::cli {
+namespace {
+
+enum class By { scene, part };
+
+struct IntervalsOptions {
+  SceneOptions scene;
+  RowsOption rays{"--ray", "--rays", {"ox", "oy", "oz", "dx", "dy", "dz"}, {}, {}};
+  bool whole_line = false;
+  std::string t_min;
+  std::string t_max;
+  By by = By::scene;
+  Format format = Format::table;
+  std::string output;
+
+  Span span() const;
+};
+
+Span IntervalsOptions::span() const {
+  if (whole_line) return Span::line();
+  Span span;
+  if (!t_min.empty()) span.from = parse_parameter("--tmin", t_min);
+  if (!t_max.empty()) span.to = parse_parameter("--tmax", t_max);
+  if (span.from >= span.to) {
+    throw UsageError(fmt::format("no ray is left between t = {} and t = {}", span.from, span.to));
+  }
+  return span;
+}
+
+/// What one thread needs to answer rays.
+class IntervalWorker {
+ public:
+  IntervalWorker(const Scene& scene, const IntervalReport& report, const Rows& rows, Span span, By by)
+      : caster_(scene), report_(report), rows_(rows), span_(span), by_(by) {}
+
+  void operator()(const NumberRow& row, std::string& text) {
+    const auto& v = row.values;
+    if (v[3] == 0 && v[4] == 0 && v[5] == 0) {
+      rows_.reject(row, 3, "the direction is zero", "it does not say where to look", "give any other direction");
+    }
+    const Ray ray({v[0], v[1], v[2]}, {v[3], v[4], v[5]});
+    caster_.begin(ray);
+    found_.clear();
+    const Scene& scene = caster_.scene();
+    if (by_ == By::scene) {
+      add(scene.root(), std::nullopt, ray);
+    } else {
+      for (std::uint32_t i = 0; i < scene.parts().size(); ++i) add(scene.parts()[i].node, PartId(i), ray);
+    }
+    report_.append(text, row.index, ray, found_);
+  }
+
+ private:
+  /// The intervals of one node; `part` is whose they are if that is known.
+  void add(NodeId node, std::optional<PartId> part, const Ray& ray) {
+    caster_.intervals(node, list_, span_);
+    for (const Interval& interval : list_) {
+      FacedInterval faced{
+          interval, face(node, interval.entry, Passage::entry), face(node, interval.exit, Passage::exit), {}};
+      faced.part = part ? *part : part_of(faced, ray);
+      found_.push_back(faced);
+    }
+  }
+
+  std::optional<Attribution> face(NodeId node, const Crossing& crossing, Passage passage) {
+    if (!crossing.surface.valid()) return std::nullopt;
+    return caster_.attribute(node, {crossing, passage});
+  }
+
+  /// The part at the entry; of an interval that is cut off there, at the exit; cut off at both ends: at a place inside.
+  PartId part_of(const FacedInterval& faced, const Ray& ray) {
+    if (faced.entry) return faced.entry->part;
+    if (faced.exit) return faced.exit->part;
+    const auto [entry, exit] = faced.interval;
+    if (std::isfinite(entry.t)) return caster_.part_at(ray.at(entry.t));
+    return caster_.part_at(std::isfinite(exit.t) ? ray.at(exit.t) : ray.origin());
+  }
+
+  Caster caster_;
+  const IntervalReport& report_;
+  const Rows& rows_;
+  Span span_;
+  By by_;
+  IntervalList list_;
+  std::vector<FacedInterval> found_;
+};
+
+void run(const IntervalsOptions& options) {
+  const Span span = options.span();
+  Rows rows(options.rays, options.scene);
+  Output output(options.output);
+  const SceneInput input = read_scene(options.scene);
+  if (options.by == By::part && input.scene.parts().empty()) {
+    throw Error(ErrorCode::usage, {options.scene.path, 0, 0}, "the scene has no parts", "--by part lists nothing else",
+                "name some with part(\"name\") { .. }, or leave --by out");
+  }
+  const IntervalReport report(input.scene, options.format);
+  output.write(report.head());
+  answer_rows([&](NumberRow& row) { return rows.next(row); }, output, thread_count(options.scene),
+              [&] { return IntervalWorker(input.scene, report, rows, span, options.by); });
+  output.write(report.tail());
+  output.commit();
+}
+
+}  // namespace
+
+Command intervals_command(CLI::App& program) {
+  auto options = std::make_shared<IntervalsOptions>();
+  CLI::App* line = program.add_subcommand("intervals", "List where rays are inside the solid");
+  add_scene_options(*line, options->scene);
+  add_rows_option(*line, options->rays, "One ray: its origin and its direction, which need not be unit");
+  const auto whole_line = line->add_flag("--line", options->whole_line, "The whole line, not from t = 0 on");
+  line->add_option("--tmin", options->t_min, "Where rays begin (default 0; -inf is allowed)")
+      ->type_name("T")
+      ->excludes(whole_line);
+  line->add_option("--tmax", options->t_max, "Where rays end (default inf)")->type_name("T")->excludes(whole_line);
+  add_choice(*line, "--by", options->by,
+             "One list for the scene, or one for each part (what is in no part is left out)",
+             {{"scene", By::scene}, {"part", By::part}});
+  add_choice(*line, "--format", options->format, "The format of the output",
+             {{"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}});
+  line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
+  line->footer(
+      "t counts in units of the direction. Normals are unit and point out of the solid; solids are named by the\n"
+      "line:column of their statement.\n\n"
+      "Example:\n"
+      "  csgcast intervals part.csg --ray 0,0,100,0,0,-1\n"
+      "  csgcast intervals part.csg --rays rays.csv --format csv -o intervals.csv");
+  return {line, [options] { run(*options); }};
+}
+
+}  // namespace csgcast::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "cli/render_stats.h"
+
+#include "cli/json.h"
+
+namespace csgcast::cli {
+
+std::string render_stats(const RenderOptions& options, const RenderReport& report, const StageSeconds& seconds) {
+  std::string out;
+  Json json(out);
+  json.begin_object();
+  json.member("width", std::uint64_t(options.width)).member("height", std::uint64_t(options.height));
+  json.member("threads", std::uint64_t(options.threads));
+  json.key("rays").begin_object().member("primary", report.rays.primary).member("shadow", report.rays.shadow);
+  json.member("reflection", report.rays.reflection).member("transmission", report.rays.transmission).end_object();
+  json.member("total_reflections", report.total_reflections);
+  json.member("surface_tests", report.casts.surface_tests).member("box_tests", report.casts.box_tests);
+  json.member("leaf_tests", report.casts.leaf_tests).member("exact_calls", report.casts.exact_calls);
+  json.key("skipped").begin_object();
+  json.member("shadow_facing_away", report.skipped.shadow_facing_away);
+  json.member("shadow_without_effect", report.skipped.shadow_without_effect);
+  json.member("reflection_below_cutoff", report.skipped.reflection_below_cutoff);
+  json.member("transmission_below_cutoff", report.skipped.transmission_below_cutoff);
+  json.member("depth_limit", report.skipped.depth_limit).end_object();
+  json.key("seconds").begin_object().member("read", seconds.read).member("compile", seconds.compile);
+  json.member("trace", seconds.trace).member("write", seconds.write).end_object();
+  json.end_object();
+  return out + '\n';
+}
+
+}  // namespace csgcast::cli

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "cli/scene_input.h"
+
+#include <fmt/format.h>
+#include <tbb/info.h>
+
+#include <cstdio>
+
+#include "cli/options.h"
+#include "cli/stopwatch.h"
+#include "csg/text/reader.h"
+
+namespace csgcast::cli {
+namespace {
+
+constexpr int most_threads = 1024;
+
+}  // namespace
+
+void add_scene_options(CLI::App& line, SceneOptions& options) {
+  using text::Facets;
+  line.add_option("scene", options.path, "The scene text (.csg); - reads standard input")
+      ->required()
+      ->type_name("")
+      ->option_text("SCENE");
+  add_choice(line, "--facets", options.facets, "Which curved solids become polyhedra: those with $fn <= 16, all, none",
+             {{"auto", Facets::automatic}, {"always", Facets::always}, {"never", Facets::never}});
+  line.add_option_function<std::string>(
+          "--threads",
+          [&options](const std::string& text) { options.threads = parse_count("--threads", text, 1, most_threads); },
+          "How many threads work (default: one a core)")
+      ->type_name("N");
+  line.add_flag("-q,--quiet", options.quiet, "No progress bar and no warnings");
+}
+
+int thread_count(const SceneOptions& options) {
+  return options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+}
+
+DocumentInput read_document(const SceneOptions& options) {
+  const Stopwatch watch;
+  DocumentInput input{text::read_file(options.path)};
+  input.read_seconds = watch.seconds();
+  return input;
+}
+
+SceneInput compile_document(const DocumentInput& input, const SceneOptions& options) {
+  const Stopwatch build_watch;
+  SceneInput result;
+  result.description = text::build(input.document, {options.facets});
+  result.read_seconds = input.read_seconds + build_watch.seconds();
+  if (!options.quiet) {
+    for (const Warning& warning : result.description.warnings) fmt::print(stderr, "{}\n", to_string(warning));
+  }
+  const Stopwatch compile_watch;
+  result.scene = compile(result.description.solid);
+  result.compile_seconds = compile_watch.seconds();
+  return result;
+}
+
+SceneInput read_scene(const SceneOptions& options) { return compile_document(read_document(options), options); }
+
+}  // namespace csgcast::cli

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+#include "cli/progress.h"
+#include "csg/scene_description.h"
+#include "csg/text/builder.h"
+#include "csg/text/syntax.h"
+#include "raycast/scene.h"
+
+namespace csgcast::cli {
+
+/// What every command that reads a scene asks for.
+struct SceneOptions {
+  std::string path;
+  text::Facets facets = text::Facets::automatic;
+  int threads = 0;  ///< 0: all cores
+  bool quiet = false;
+
+  Progress::Show progress() const { return quiet ? Progress::Show::never : Progress::Show::if_terminal; }
+};
+
+/// Adds the scene's place on the command line, --facets, --threads and --quiet. `options` must live as long as `line`.
+void add_scene_options(CLI::App& line, SceneOptions& options);
+
+/// The number of threads to use: what was asked for, else one for each core that the process may use.
+int thread_count(const SceneOptions& options);
+
+/// A scene ready to be asked, and how long that took.
+struct SceneInput {
+  SceneDescription description;
+  Scene scene;
+  double read_seconds = 0;  ///< reading the text and building solids from it
+  double compile_seconds = 0;
+};
+
+/// A document and how long it took to read.
+struct DocumentInput {
+  text::Document document;
+  double read_seconds = 0;
+};
+
+DocumentInput read_document(const SceneOptions& options);
+
+/// Builds and compiles a document, and prints the warnings to standard error unless it shall be quiet.
+SceneInput compile_document(const DocumentInput& input, const SceneOptions& options);
+
+/// Both at once.
+SceneInput read_scene(const SceneOptions& options);
+
+}  // namespace csgcast::cli
