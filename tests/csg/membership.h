@@ -67,7 +67,7 @@ class Random {
       case 2:
         return mirroring(vector(1));
       case 3:
-        return scaling({0.5 + below(3), 0.75, 1.5});
+        return scaling({0.5 + static_cast<double>(below(3)), 0.75, 1.5});
       default:
         return Transform{};
     }

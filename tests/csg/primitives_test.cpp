@@ -175,7 +175,7 @@ TEST_CASE("planes may leave a polyhedron unbounded, or no point at all") {
   CHECK(bounds_of({{{0, 0, 1}, 1}}) == Box{{-infinity, -infinity, -infinity}, {infinity, infinity, 1}});
   CHECK(bounds_of({{{1, 1, 0}, 1}, {{-1, -1, 0}, 1}}) == Box::everything());
   CHECK(bounds_of({{{1, 0, 0}, 3}, {{-1, 1, 0}, 0}, {{-1, -1, 0}, 0}}) == Box{{0, -3, -infinity}, {3, 3, infinity}});
-  // A wedge so flat that its far end is a thousand digits away in one direction only.
+  // A wedge with an angle of 1e-300: unbounded all the same.
   CHECK(bounds_of({{{1, -1e-300, 0}, 0}, {{-1, 0, 0}, 0}}).upper.x == infinity);
   const auto kind_of = [](std::vector<PlaneEquation> planes) { return convex_from_planes(planes).kind(); };
   CHECK(kind_of({{{1, 1, 1}, -1}, {{-1, -1, -1}, 0.5}}) == Kind::empty);
