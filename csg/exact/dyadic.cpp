@@ -2,8 +2,10 @@
 #include "csg/exact/dyadic.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace csgcast {
 namespace {
@@ -51,27 +53,64 @@ Dyadic::Dyadic(double value) {
   if (value == 0) return;
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
-  mantissa_ = mpz_class(std::ldexp(fraction, 53));
+  small_ = static_cast<std::int64_t>(std::ldexp(fraction, 53));
   exponent_ = exponent - 53;
   normalise();
 }
 
-Dyadic::Dyadic(mpz_class mantissa, std::int64_t exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {
+Dyadic::Dyadic(const mpz_class& mantissa, std::int64_t exponent)
+    : large_(std::make_unique<mpz_class>(mantissa)), exponent_(exponent) {
   normalise();
 }
 
+Dyadic::Dyadic(Small mantissa, std::int64_t exponent, std::nullptr_t) : small_(mantissa), exponent_(exponent) { normalise(); }
+
+Dyadic::Dyadic(const Dyadic& other)
+    : small_(other.small_), large_(other.large_ ? std::make_unique<mpz_class>(*other.large_) : nullptr), exponent_(other.exponent_) {}
+
+Dyadic& Dyadic::operator=(const Dyadic& other) {
+  if (this != &other) *this = Dyadic(other);
+  return *this;
+}
+
 void Dyadic::normalise() {
-  if (sgn(mantissa_) == 0) {
+  if (large_) {
+    const mp_bitcnt_t zeros = sgn(*large_) == 0 ? 0 : mpz_scan1(large_->get_mpz_t(), 0);
+    if (zeros > 0) mpz_tdiv_q_2exp(large_->get_mpz_t(), large_->get_mpz_t(), zeros);
+    exponent_ += static_cast<std::int64_t>(zeros);
+    if (mpz_sizeinbase(large_->get_mpz_t(), 2) >= 127) return;
+    std::uint64_t words[2] = {0, 0};
+    mpz_export(words, nullptr, -1, sizeof(std::uint64_t), 0, 0, large_->get_mpz_t());
+    const Small magnitude = static_cast<Small>(static_cast<Bits>(words[1]) << 64 | words[0]);
+    small_ = sgn(*large_) < 0 ? -magnitude : magnitude;
+    large_.reset();
+  }
+  if (small_ == 0) {
     exponent_ = 0;
     return;
   }
-  const mp_bitcnt_t zeros = mpz_scan1(mantissa_.get_mpz_t(), 0);
-  if (zeros == 0) return;
-  mpz_tdiv_q_2exp(mantissa_.get_mpz_t(), mantissa_.get_mpz_t(), zeros);
-  exponent_ += static_cast<std::int64_t>(zeros);
+  const auto low = static_cast<std::uint64_t>(small_);
+  const int zeros = low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(small_ >> 64));
+  small_ >>= zeros;  // arithmetic, and exact: only zeros are cut off
+  exponent_ += zeros;
 }
 
-std::size_t Dyadic::bits() const { return is_zero() ? 0 : mpz_sizeinbase(mantissa_.get_mpz_t(), 2); }
+mpz_class Dyadic::mantissa() const {
+  if (large_) return *large_;
+  const Bits magnitude = absolute(small_);
+  const std::uint64_t words[2] = {static_cast<std::uint64_t>(magnitude), static_cast<std::uint64_t>(magnitude >> 64)};
+  mpz_class result;
+  mpz_import(result.get_mpz_t(), 2, -1, sizeof(std::uint64_t), 0, 0, words);
+  if (small_ < 0) mpz_neg(result.get_mpz_t(), result.get_mpz_t());
+  return result;
+}
+
+std::size_t Dyadic::bits() const {
+  if (large_) return mpz_sizeinbase(large_->get_mpz_t(), 2);
+  const Bits magnitude = absolute(small_);
+  const auto high = static_cast<std::uint64_t>(magnitude >> 64);
+  return static_cast<std::size_t>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(static_cast<std::uint64_t>(magnitude)));
+}
 
 Dyadic Dyadic::scaled(std::int64_t shift) const {
   Dyadic result = *this;
@@ -79,33 +118,47 @@ Dyadic Dyadic::scaled(std::int64_t shift) const {
   return result;
 }
 
+std::size_t Dyadic::hash() const {
+  const auto low = large_ ? static_cast<std::uint64_t>(mpz_getlimbn(large_->get_mpz_t(), 0)) : static_cast<std::uint64_t>(absolute(small_));
+  return (low ^ static_cast<std::uint64_t>(sign()) ^ (static_cast<std::uint64_t>(exponent_) << 40)) * 0x9e3779b97f4a7c15u;
+}
+
 Dyadic Dyadic::operator-() const {
   Dyadic result = *this;
-  mpz_neg(result.mantissa_.get_mpz_t(), result.mantissa_.get_mpz_t());
+  if (large_) {
+    mpz_neg(result.large_->get_mpz_t(), result.large_->get_mpz_t());
+  } else {
+    result.small_ = -small_;
+  }
   return result;
 }
 
-Dyadic& Dyadic::operator+=(const Dyadic& other) {
-  if (other.is_zero()) return *this;
-  if (is_zero()) return *this = other;
-  if (exponent_ <= other.exponent_) {
-    mantissa_ += mpz_class(other.mantissa_ << static_cast<mp_bitcnt_t>(other.exponent_ - exponent_));
-  } else {
-    mantissa_ <<= static_cast<mp_bitcnt_t>(exponent_ - other.exponent_);
-    mantissa_ += other.mantissa_;
-    exponent_ = other.exponent_;
+Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  const Dyadic& high = a.exponent_ >= b.exponent_ ? a : b;
+  const Dyadic& low = a.exponent_ >= b.exponent_ ? b : a;
+  const std::int64_t shift = high.exponent_ - low.exponent_;
+  // Both summands below 2^126 in units of the lower exponent: so is their sum below 2^127.
+  if (!high.large_ && !low.large_ && shift + static_cast<std::int64_t>(high.bits()) <= 126 && low.bits() <= 126) {
+    const Small aligned = static_cast<Small>(static_cast<Bits>(high.small_) << shift);
+    return {aligned + low.small_, low.exponent_, nullptr};
   }
-  normalise();
-  return *this;
+  return {mpz_class((high.mantissa() << static_cast<mp_bitcnt_t>(shift)) + low.mantissa()), low.exponent_};
 }
 
-Dyadic& Dyadic::operator-=(const Dyadic& other) { return *this += -other; }
+Dyadic Dyadic::product(const Dyadic& a, const Dyadic& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  Small small = 0;
+  if (!a.large_ && !b.large_ && !__builtin_mul_overflow(a.small_, b.small_, &small)) {
+    return {small, a.exponent_ + b.exponent_, nullptr};
+  }
+  return {mpz_class(a.mantissa() * b.mantissa()), a.exponent_ + b.exponent_};
+}
 
-Dyadic& Dyadic::operator*=(const Dyadic& other) {
-  // A product of odd mantissas is odd, so no normalisation but for zero.
-  mantissa_ *= other.mantissa_;
-  exponent_ = is_zero() ? 0 : exponent_ + other.exponent_;
-  return *this;
+bool operator==(const Dyadic& a, const Dyadic& b) {
+  if (a.exponent_ != b.exponent_ || !a.large_ != !b.large_) return false;
+  return a.large_ ? *a.large_ == *b.large_ : a.small_ == b.small_;
 }
 
 std::strong_ordering operator<=>(const Dyadic& a, const Dyadic& b) {
@@ -117,9 +170,27 @@ std::strong_ordering operator<=>(const Dyadic& a, const Dyadic& b) {
   return (a - b).sign() <=> 0;
 }
 
+Dyadic common_divisor(const Dyadic& a, const Dyadic& b) {
+  if (a.large_ || b.large_) return {gcd(a.mantissa(), b.mantissa()), 0};
+  Dyadic::Bits x = Dyadic::absolute(a.small_);
+  Dyadic::Bits y = Dyadic::absolute(b.small_);
+  while (y != 0) {
+    x %= y;
+    std::swap(x, y);
+  }
+  return {static_cast<Dyadic::Small>(x), 0, nullptr};
+}
+
+Dyadic exact_quotient(const Dyadic& a, const Dyadic& b) {
+  if (!a.large_ && !b.large_) return {a.small_ / b.small_, a.exponent_ - b.exponent_, nullptr};
+  mpz_class quotient;
+  mpz_divexact(quotient.get_mpz_t(), a.mantissa().get_mpz_t(), b.mantissa().get_mpz_t());
+  return {quotient, a.exponent_ - b.exponent_};
+}
+
 double Dyadic::nearest() const {
   if (is_zero()) return 0;
-  const Truncated cut = truncate(mantissa_, exponent_);
+  const Truncated cut = truncate(mantissa(), exponent_);
   double magnitude = cut.magnitude;
   if (cut.at_least_half && (!cut.exactly_half || is_odd_in_last_place(magnitude))) {
     magnitude = std::nextafter(magnitude, infinity);
@@ -129,7 +200,7 @@ double Dyadic::nearest() const {
 
 double Dyadic::rounded_down() const {
   if (is_zero()) return 0;
-  const Truncated cut = truncate(mantissa_, exponent_);
+  const Truncated cut = truncate(mantissa(), exponent_);
   if (sign() > 0) return cut.magnitude;
   return cut.exact ? -cut.magnitude : std::nextafter(-cut.magnitude, -infinity);
 }

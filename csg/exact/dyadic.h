@@ -2,7 +2,9 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include <gmpxx.h>
 
@@ -10,19 +12,25 @@ namespace csgcast {
 
 /// An exact number m * 2^e with integers m and e: what sums and products of doubles are.
 ///
-/// Kept normalised: m is odd, or zero with e = 0, so equality is equality of the two members.
+/// Kept normalised: m is odd, or zero with e = 0. Mantissas below 2^127 are kept in the object itself, so the first few sums and products of
+/// doubles cost no memory; larger ones are GMP's.
 class Dyadic {
  public:
   Dyadic() = default;
   /// Exact. Precondition: value is finite.
   Dyadic(double value);  // NOLINT(google-explicit-constructor): a double is a dyadic number
   /// mantissa * 2^exponent.
-  Dyadic(mpz_class mantissa, std::int64_t exponent);
+  Dyadic(const mpz_class& mantissa, std::int64_t exponent);
+  Dyadic(const Dyadic& other);
+  Dyadic(Dyadic&& other) noexcept = default;
+  Dyadic& operator=(const Dyadic& other);
+  Dyadic& operator=(Dyadic&& other) noexcept = default;
+  ~Dyadic() = default;
 
   /// -1, 0 or 1.
-  int sign() const { return sgn(mantissa_); }
-  bool is_zero() const { return sign() == 0; }
-  const mpz_class& mantissa() const { return mantissa_; }
+  int sign() const { return large_ ? sgn(*large_) : (small_ > 0) - (small_ < 0); }
+  bool is_zero() const { return !large_ && small_ == 0; }
+  mpz_class mantissa() const;
   std::int64_t exponent() const { return exponent_; }
   /// The number of bits of |m|; 0 for zero.
   std::size_t bits() const;
@@ -30,18 +38,22 @@ class Dyadic {
   std::int64_t magnitude() const { return static_cast<std::int64_t>(bits()) + exponent_; }
   /// value * 2^shift.
   Dyadic scaled(std::int64_t shift) const;
+  std::size_t hash() const;
 
   Dyadic operator-() const;
-  Dyadic& operator+=(const Dyadic& other);
-  Dyadic& operator-=(const Dyadic& other);
-  Dyadic& operator*=(const Dyadic& other);
-  friend Dyadic operator+(Dyadic a, const Dyadic& b) { return a += b; }
-  friend Dyadic operator-(Dyadic a, const Dyadic& b) { return a -= b; }
-  friend Dyadic operator*(Dyadic a, const Dyadic& b) { return a *= b; }
-  friend bool operator==(const Dyadic& a, const Dyadic& b) {
-    return a.exponent_ == b.exponent_ && a.mantissa_ == b.mantissa_;
-  }
+  Dyadic& operator+=(const Dyadic& other) { return *this = sum(*this, other); }
+  Dyadic& operator-=(const Dyadic& other) { return *this = sum(*this, -other); }
+  Dyadic& operator*=(const Dyadic& other) { return *this = product(*this, other); }
+  friend Dyadic operator+(const Dyadic& a, const Dyadic& b) { return sum(a, b); }
+  friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return sum(a, -b); }
+  friend Dyadic operator*(const Dyadic& a, const Dyadic& b) { return product(a, b); }
+  friend bool operator==(const Dyadic& a, const Dyadic& b);
   friend std::strong_ordering operator<=>(const Dyadic& a, const Dyadic& b);
+
+  /// The greatest common divisor of the mantissas, an odd positive integer; the other's for zero.
+  friend Dyadic common_divisor(const Dyadic& a, const Dyadic& b);
+  /// a / b. Precondition: b's mantissa divides a's.
+  friend Dyadic exact_quotient(const Dyadic& a, const Dyadic& b);
 
   /// The nearest double, ties to even; overflows to infinity, gradual underflow.
   double nearest() const;
@@ -51,9 +63,17 @@ class Dyadic {
   double rounded_up() const;
 
  private:
+  __extension__ using Small = __int128;
+  __extension__ using Bits = unsigned __int128;
+
+  Dyadic(Small mantissa, std::int64_t exponent, std::nullptr_t);
+  static Dyadic sum(const Dyadic& a, const Dyadic& b);
+  static Dyadic product(const Dyadic& a, const Dyadic& b);
+  static Bits absolute(Small value) { return value < 0 ? -static_cast<Bits>(value) : static_cast<Bits>(value); }
   void normalise();
 
-  mpz_class mantissa_ = 0;
+  Small small_ = 0;                   // the mantissa, unless large_ is set
+  std::unique_ptr<mpz_class> large_;  // a mantissa of 127 bits or more
   std::int64_t exponent_ = 0;
 };
 

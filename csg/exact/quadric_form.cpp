@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace csgcast {
 namespace {
@@ -106,23 +107,18 @@ QuadricForm FormMover::moved(const QuadricForm& f) const {
 
 CanonicalForm canonical(const QuadricForm& f) {
   assert(!f.is_constant());
-  // Every coefficient is an integer times 2^least; the odd part of the greatest common divisor is that of the mantissas.
-  std::int64_t least = 0;
-  mpz_class divisor;
-  bool first = true;
+  // Mantissas are odd: their greatest common divisor and the least exponent are that of the coefficients.
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  Dyadic divisor;
   for (const Dyadic& c : f.coefficient) {
     if (c.is_zero()) continue;
-    least = first ? c.exponent() : std::min(least, c.exponent());
-    first = false;
-    divisor = gcd(divisor, c.mantissa());
+    least = std::min(least, c.exponent());
+    divisor = common_divisor(divisor, c);
   }
   CanonicalForm result;
   for (std::size_t i = 0; i < QuadricForm::term_count; ++i) {
     const Dyadic& c = f.coefficient[i];
-    if (c.is_zero()) continue;
-    mpz_class quotient;
-    mpz_divexact(quotient.get_mpz_t(), c.mantissa().get_mpz_t(), divisor.get_mpz_t());
-    result.form.coefficient[i] = Dyadic(std::move(quotient), c.exponent() - least);
+    if (!c.is_zero()) result.form.coefficient[i] = exact_quotient(c, divisor).scaled(-least);
   }
   const auto leading = std::find_if(result.form.coefficient.begin(), result.form.coefficient.end(),
                                     [](const Dyadic& c) { return !c.is_zero(); });

@@ -7,11 +7,8 @@ namespace {
 std::size_t hash(const QuadricForm& form) {
   std::size_t h = 0;
   for (const Dyadic& c : form.coefficient) {
-    const auto low = static_cast<std::size_t>(mpz_getlimbn(c.mantissa().get_mpz_t(), 0));
-    for (const std::size_t word : {low, static_cast<std::size_t>(c.exponent()), static_cast<std::size_t>(c.sign())}) {
-      h = (h ^ word) * 0x9e3779b97f4a7c15u;
-      h ^= h >> 29;
-    }
+    h = (h ^ c.hash()) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 29;
   }
   return h;
 }
