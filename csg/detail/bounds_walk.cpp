@@ -7,7 +7,7 @@ namespace {
 using Kind = Solid::Kind;
 
 constexpr std::size_t most_composed = 1000;  // alive at a time: each holds twelve long numbers
-constexpr std::size_t most_repetitions = 300'000;
+constexpr std::size_t most_repetitions = 100'000;
 constexpr std::size_t longest_entry = 4096;  // bits
 
 // Only the first child bounds a difference.

@@ -15,7 +15,7 @@ namespace csgcast::detail {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t largest_program = 400'000;  // planes times bits of a coefficient
+constexpr std::size_t largest_program = 250'000;  // planes times bits of a coefficient
 
 using Program = std::vector<Constraint<3>>;
 
