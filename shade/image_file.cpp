@@ -8,6 +8,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include "csg/error.h"
@@ -20,9 +21,15 @@ namespace {
 struct Format {
   const char* ending;
   const char* plugin;  ///< OpenImageIO's name
+  int longest_side;    ///< libjpeg ends the whole program at more than it can hold
 };
-constexpr std::array<Format, 6> formats{
-    {{".png", "png"}, {".jpg", "jpeg"}, {".jpeg", "jpeg"}, {".tif", "tiff"}, {".tiff", "tiff"}, {".exr", "openexr"}}};
+constexpr int most = std::numeric_limits<int>::max();
+constexpr std::array<Format, 6> formats{{{".png", "png", most},
+                                         {".jpg", "jpeg", 65500},
+                                         {".jpeg", "jpeg", 65500},
+                                         {".tif", "tiff", most},
+                                         {".tiff", "tiff", most},
+                                         {".exr", "openexr", most}}};
 
 const Format& format_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
@@ -38,14 +45,18 @@ const Format& format_of(const std::string& path) {
               "known endings are " + known);
 }
 
-OIIO::ImageSpec spec_of(const Film& film, int channel_count, OIIO::TypeDesc type) {
+OIIO::ImageSpec spec_of(const Film& film, const std::string& plugin, int channel_count, OIIO::TypeDesc type) {
   OIIO::ImageSpec spec(film.width(), film.height(), channel_count, type);
-  spec.channelnames = channel_count == 3 ? std::vector<std::string>{"R", "G", "B"}
-                      : film.content() == FilmContent::depth && type == OIIO::TypeDesc::FLOAT
-                          ? std::vector<std::string>{"Z"}
-                          : std::vector<std::string>{"Y"};
+  const bool is_depth = film.content() == FilmContent::depth && type == OIIO::TypeDesc::FLOAT;
+  if (channel_count == 3) {
+    spec.channelnames = {"R", "G", "B"};
+  } else {
+    spec.channelnames = {is_depth ? "Z" : "Y"};
+  }
   spec.attribute("Software", "csgcast");
-  if (type == OIIO::TypeDesc::UINT8 && film.content() == FilmContent::color) spec.attribute("oiio:ColorSpace", "sRGB");
+  // Not for TIFF: OpenImageIO 2.4 then writes a file that no reader opens.
+  const bool srgb = type == OIIO::TypeDesc::UINT8 && film.content() == FilmContent::color;
+  if (srgb && plugin != "tiff") spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("jpeg:subsampling", "4:4:4");
   return spec;
 }
@@ -71,13 +82,17 @@ void check_image_path(const std::string& path) { format_of(path); }
 
 void write_image(const Film& film, const std::string& path) {
   const Format& format = format_of(path);
+  if (film.width() > format.longest_side || film.height() > format.longest_side) {
+    throw Error(ErrorCode::limit, {path, 0, 0}, "the picture is too large for this kind of file",
+                "it holds at most " + std::to_string(format.longest_side) + " pixels a side", "write a .png or .exr");
+  }
   std::vector<unsigned char> bytes;
   if (format.plugin == std::string("openexr")) {
-    const OIIO::ImageSpec spec = spec_of(film, channels(film.content()), OIIO::TypeDesc::FLOAT);
+    const OIIO::ImageSpec spec = spec_of(film, format.plugin, channels(film.content()), OIIO::TypeDesc::FLOAT);
     bytes = compress(path, format.plugin, spec, film.values().data());
   } else {
     const detail::EncodedFilm encoded = detail::encode(film);
-    const OIIO::ImageSpec spec = spec_of(film, encoded.channels, OIIO::TypeDesc::UINT8);
+    const OIIO::ImageSpec spec = spec_of(film, format.plugin, encoded.channels, OIIO::TypeDesc::UINT8);
     bytes = compress(path, format.plugin, spec, encoded.bytes.data());
   }
   detail::write_whole_file(path, std::as_bytes(std::span(bytes)));

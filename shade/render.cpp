@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -57,6 +59,13 @@ std::vector<detail::Tile> tiles_of(int width, int height) {
     }
   }
   return tiles;
+}
+
+// More than there are tiles would have nothing to do.
+int threads_of(const RenderOptions& options, std::size_t tiles) {
+  constexpr int most_threads = 1024;
+  const int wanted = options.threads > 0 ? std::min(options.threads, most_threads) : tbb::info::default_concurrency();
+  return static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(wanted), tiles));
 }
 
 // Tells how much is done, ascending, one thread at a time.
@@ -122,7 +131,9 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   const std::vector<detail::Tile> tiles = tiles_of(options.width, options.height);
   Progress progress(options.progress, tiles.size());
   tbb::enumerable_thread_specific<detail::TileRenderer> renderers([&] { return detail::TileRenderer(job); });
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  const int threads = threads_of(options, tiles.size());
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, tiles.size(), 1),

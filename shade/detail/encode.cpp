@@ -9,7 +9,7 @@ namespace csgcast::detail {
 namespace {
 
 // The farthest is this light, so that it differs from nothing at all.
-constexpr double farthest_shade = 0.1;
+constexpr double farthest_shade = 0.12;
 
 // Low and high end of the finite values; both 0 if there is none.
 std::array<double, 2> range_of(const Film& film) {

@@ -67,7 +67,7 @@ void write_whole_file(const std::string& path, std::span<const std::byte> bytes)
   std::error_code error;
   const fs::path resolved = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
   if (error && error != std::errc::no_such_file_or_directory) fail(path, error.message());
-  if (fs::is_directory(resolved, error)) fail(path, "it is a folder");
+  if (fs::exists(resolved, error) && !fs::is_regular_file(resolved, error)) fail(path, "it is not a regular file");
   Temporary temporary(resolved);
   write_bytes(temporary.path(), path, bytes);
   temporary.rename_to(resolved);
