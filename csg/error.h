@@ -6,7 +6,8 @@
 
 namespace csgcast {
 
-/// Where in a scene text something stands; line 0 means that no place is known. Lines and columns count from 1, columns in bytes.
+/// Where in a scene text something stands; line 0 means that no place is known. Lines and columns count from 1, columns
+/// in bytes.
 struct Place {
   std::string file;
   int line = 0;

@@ -30,9 +30,9 @@ struct Material {
   double shininess = 30;
   double reflection = 0;
   double transmission = 0;
-  double ior = 1;        ///< index of refraction
-  Rgb emission;          ///< light that it sends out by itself
-  Rgb absorption;        ///< per unit of length, of a medium that transmits
+  double ior = 1;  ///< index of refraction
+  Rgb emission;    ///< light that it sends out by itself
+  Rgb absorption;  ///< per unit of length, of a medium that transmits
   friend bool operator==(const Material&, const Material&) = default;
 
   bool transmits() const { return transmission > 0; }
@@ -59,7 +59,8 @@ struct LookContext {
 
   /// The context below one more statement.
   LookContext with(const LookStatement& inner) const;
-  /// The material to shade with: a paint replaces the base colour; its transparency 1 - alpha transmits and takes that share from the local light.
+  /// The material to shade with: a paint replaces the base colour; its transparency 1 - alpha transmits and takes that
+  /// share from the local light.
   Material resolve() const;
 };
 

@@ -20,7 +20,8 @@ struct Solid::Node {
   Node& operator=(const Node&) = delete;
   Node& operator=(Node&&) = delete;
 
-  // Takes the tree apart with a list of its own: a chain of a million nodes must not recurse. No node is made const (see make).
+  // Takes the tree apart with a list of its own: a chain of a million nodes must not recurse. No node is made const
+  // (see make).
   ~Node() {
     std::vector<Solid> orphans = std::move(children);
     while (!orphans.empty()) {

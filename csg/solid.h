@@ -23,12 +23,13 @@ struct Disc {
 
 /// What a leaf is in its own coordinates: the closed set of points where every form is <= 0.
 struct LeafShape {
-  std::string kind;                 ///< the scene text's word for it: "cube", "sphere", ...
-  std::vector<QuadricForm> forms;   ///< none of them constant; at least one
-  Box bounds;                       ///< holds the set, rounded outward
+  std::string kind;                ///< the scene text's word for it: "cube", "sphere", ...
+  std::vector<QuadricForm> forms;  ///< none of them constant; at least one
+  Box bounds;                      ///< holds the set, rounded outward
   bool is_convex_polyhedron = false;
-  std::vector<Point> vertices;      ///< of a bounded polyhedron given by points (for tight bounds of moved solids); else empty
-  std::vector<Disc> discs;          ///< the convex hull of these holds the set, rounded outward (for the same); or empty
+  std::vector<Point>
+      vertices;             ///< of a bounded polyhedron given by points (for tight bounds of moved solids); else empty
+  std::vector<Disc> discs;  ///< the convex hull of these holds the set, rounded outward (for the same); or empty
   std::optional<Vector> semi_axes;  ///< the ellipsoid about the origin with these holds the set (for the same)
 };
 
@@ -51,12 +52,13 @@ class Solid {
   static Solid leaf(LeafShape shape);
 
   Kind kind() const;
-  /// unite, intersect, subtract: two or more, in file order (subtract: first less all others); complement, transform, part, look: one; else none.
+  /// unite, intersect, subtract: two or more, in file order (subtract: first less all others); complement, transform,
+  /// part, look: one; else none.
   std::span<const Solid> children() const;
-  const LeafShape& shape() const;         ///< precondition: a leaf
-  const Transform& transform() const;     ///< precondition: a transform
-  const PartName& part() const;           ///< precondition: a part
-  const LookStatement& look() const;      ///< precondition: a look
+  const LeafShape& shape() const;      ///< precondition: a leaf
+  const Transform& transform() const;  ///< precondition: a transform
+  const PartName& part() const;        ///< precondition: a part
+  const LookStatement& look() const;   ///< precondition: a look
   /// Where the statement that made this node stands; line 0 if it was made in code.
   const Place& place() const;
   /// The same solid with another place.

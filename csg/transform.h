@@ -7,7 +7,8 @@
 
 namespace csgcast {
 
-/// An affine map whose twelve entries are doubles, fixed once: p -> rows * (p, 1). Row-major, 3 x 4, the last column translates.
+/// An affine map whose twelve entries are doubles, fixed once: p -> rows * (p, 1). Row-major, 3 x 4, the last column
+/// translates.
 struct Transform {
   std::array<double, 12> entry{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
@@ -19,14 +20,16 @@ struct Transform {
 
 Transform translation(Vector offset);
 Transform scaling(Vector factors);
-/// OpenSCAD's rotate([x, y, z]): about x, then y, then z, in degrees; exact at multiples of 30 and 45 degrees where a double can be.
+/// OpenSCAD's rotate([x, y, z]): about x, then y, then z, in degrees; exact at multiples of 30 and 45 degrees where a
+/// double can be.
 Transform rotation(Vector degrees_about_axes);
 /// OpenSCAD's rotate(a, v): right-handed about `axis` (any non-zero length); the identity for a zero axis.
 Transform rotation(double degrees, Vector axis);
 /// Mirror in the plane through the origin with this normal (any non-zero length); the identity for a zero normal.
 Transform mirroring(Vector normal);
 
-/// Sine and cosine of an angle in degrees, exact (to the nearest double) at multiples of 30 and 45, as OpenSCAD computes them.
+/// Sine and cosine of an angle in degrees, exact (to the nearest double) at multiples of 30 and 45, as OpenSCAD
+/// computes them.
 double sin_degrees(double degrees);
 double cos_degrees(double degrees);
 

@@ -36,7 +36,8 @@ void Caster::intervals(NodeId node, IntervalList& list, Span span) {
 
 std::optional<Hit> Caster::first_hit(NodeId node, Span span) {
   State& state = *state_;
-  // The first entry is right as soon as nothing nearer can come. A ray that starts inside has its first boundary at the exit, which takes the whole list.
+  // The first entry is right as soon as nothing nearer can come. A ray that starts inside has its first boundary at the
+  // exit, which takes the whole list.
   for (const detail::Want want : {detail::Want::first, detail::Want::all}) {
     IntervalList& list = state.list;
     list = state.evaluator.evaluate(node, span, want);
@@ -44,7 +45,8 @@ std::optional<Hit> Caster::first_hit(NodeId node, Span span) {
     if (list.empty()) return std::nullopt;
     const Interval& first = list.front();
     if (first.entry.surface.valid()) return Hit{state.bounding(node, first.entry), Passage::entry};
-    if (want == detail::Want::all && first.exit.surface.valid()) return Hit{state.bounding(node, first.exit), Passage::exit};
+    if (want == detail::Want::all && first.exit.surface.valid())
+      return Hit{state.bounding(node, first.exit), Passage::exit};
   }
   return std::nullopt;
 }
@@ -59,7 +61,8 @@ bool Caster::any_hit(NodeId node, Span span) {
 
 CasterCounts Caster::counts() const {
   const State& state = *state_;
-  return {state.rays, state.cache.surface_tests(), state.evaluator.box_tests(), state.evaluator.leaf_tests(), state.cache.exact_calls()};
+  return {state.rays, state.cache.surface_tests(), state.evaluator.box_tests(), state.evaluator.leaf_tests(),
+          state.cache.exact_calls()};
 }
 
 Crossing Caster::State::bounding(NodeId node, const Crossing& crossing) {

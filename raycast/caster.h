@@ -11,20 +11,22 @@
 
 namespace csgcast {
 
-/// A ray that starts on a surface, towards one side of it. The surface has no crossing at t = 0 and is on `side` right after the start; only
-/// a crossing further on, of a curved surface, is computed. So a surface never shadows or reflects itself, and no distance is an epsilon.
+/// A ray that starts on a surface, towards one side of it. The surface has no crossing at t = 0 and is on `side` right
+/// after the start; only a crossing further on, of a curved surface, is computed. So a surface never shadows or
+/// reflects itself, and no distance is an epsilon.
 struct Departure {
   SurfaceId surface;
   Sense side = Sense::positive;
 };
 
-/// A change of medium along a ray: what the ray is in before and after. A region is not valid where there is no solid, or an opaque one.
+/// A change of medium along a ray: what the ray is in before and after. A region is not valid where there is no solid,
+/// or an opaque one.
 struct Interface {
-  Hit hit;             ///< the boundary of the layer that begins or ends here
-  RegionId before;     ///< the transmitting region on this side
-  RegionId after;      ///< the transmitting region on the far side
+  Hit hit;          ///< the boundary of the layer that begins or ends here
+  RegionId before;  ///< the transmitting region on this side
+  RegionId after;   ///< the transmitting region on the far side
   bool into_opaque = false;
-  NodeId node;         ///< the node whose boundary the hit is: ask attribute() with it
+  NodeId node;  ///< the node whose boundary the hit is: ask attribute() with it
 };
 
 /// Work done, in counts that do not drift.
@@ -33,13 +35,14 @@ struct CasterCounts {
   std::uint64_t surface_tests = 0;  ///< crossings computed
   std::uint64_t box_tests = 0;
   std::uint64_t leaf_tests = 0;
-  std::uint64_t exact_calls = 0;    ///< decisions that floating point could not take
+  std::uint64_t exact_calls = 0;  ///< decisions that floating point could not take
   CasterCounts& operator+=(const CasterCounts& other);
 };
 
 /// The working memory of one thread that asks a scene about rays. Queries never allocate once the memory has grown.
 ///
-/// The answer is the regularised list of intervals that docs/answer.md defines. begin() sets the ray; the others ask about it.
+/// The answer is the regularised list of intervals that docs/answer.md defines. begin() sets the ray; the others ask
+/// about it.
 class Caster {
  public:
   /// The scene must outlive the caster.
@@ -52,9 +55,9 @@ class Caster {
   /// Turns to another ray.
   void begin(const Ray& ray, std::optional<Departure> departure = std::nullopt);
 
-  /// All intervals of the solid, or of one of its nodes (a part's or region's), clipped to the span. Infinite ends have t = ±infinity and no surface,
-  /// and so have ends that the span cuts off; an interval that starts exactly at span.from keeps its surface, one that ends there vanishes.
-  /// The list is overwritten.
+  /// All intervals of the solid, or of one of its nodes (a part's or region's), clipped to the span. Infinite ends have
+  /// t = ±infinity and no surface, and so have ends that the span cuts off; an interval that starts exactly at
+  /// span.from keeps its surface, one that ends there vanishes. The list is overwritten.
   void intervals(IntervalList& list, Span span = {}) { intervals(scene().root(), list, span); }
   void intervals(NodeId node, IntervalList& list, Span span = {});
 
@@ -65,15 +68,17 @@ class Caster {
   bool any_hit(Span span = {}) { return any_hit(scene().root(), span); }
   bool any_hit(NodeId node, Span span = {});
 
-  /// For scenes that transmit: the changes of medium in the span, in ascending order, ended by the first one into an opaque solid. Where layers overlap
-  /// the first in file order wins; layers of one look side by side are one medium. The vector is overwritten.
+  /// For scenes that transmit: the changes of medium in the span, in ascending order, ended by the first one into an
+  /// opaque solid. Where layers overlap the first in file order wins; layers of one look side by side are one medium.
+  /// The vector is overwritten.
   void interfaces(std::vector<Interface>& list, Span span = {});
 
-  /// The leaf, part, look and normal of a boundary crossing of the present ray, as a boundary of the whole solid or of one of its nodes.
+  /// The leaf, part, look and normal of a boundary crossing of the present ray, as a boundary of the whole solid or of
+  /// one of its nodes.
   Attribution attribute(const Hit& hit) { return attribute(scene().root(), hit); }
   Attribution attribute(NodeId node, const Hit& hit);
-  /// The look of what is inside a node next to one of its boundary crossings: the first leaf in file order, of those that nothing subtracts, that
-  /// holds the place; not valid if there is none.
+  /// The look of what is inside a node next to one of its boundary crossings: the first leaf in file order, of those
+  /// that nothing subtracts, that holds the place; not valid if there is none.
   LookId look_inside(NodeId node, const Hit& hit);
 
   /// Where a point is. Never falsely inside or outside.

@@ -9,8 +9,8 @@
 
 namespace csgcast {
 
-/// One crossing of the ray's line with a surface: the lower (root 0) or upper (root 1) one. Without a surface it is an end that no surface
-/// makes: where the query's span cut the interval off, or an infinite end.
+/// One crossing of the ray's line with a surface: the lower (root 0) or upper (root 1) one. Without a surface it is an
+/// end that no surface makes: where the query's span cut the interval off, or an infinite end.
 struct Crossing {
   double t = 0;
   SurfaceId surface;
@@ -46,7 +46,8 @@ struct Attribution {
   PartId part;      ///< not valid outside every named part
   LookId look;      ///< what to shade the face with
   Normal normal;    ///< unit, out of the solid
-  Sense front;      ///< the side of the crossing's surface on which the ray comes; the solid's boundary is left behind on the other
+  Sense front;  ///< the side of the crossing's surface on which the ray comes; the solid's boundary is left behind on
+                ///< the other
 };
 
 enum class Location : std::uint8_t { inside, outside, boundary };

@@ -5,7 +5,8 @@
 #include "raycast/detail/caster_state.h"
 #include "raycast/interval_list.h"
 
-// The changes of medium along a ray, from the interval lists of the layers: one sweep over the ends of all lists at once.
+// The changes of medium along a ray, from the interval lists of the layers: one sweep over the ends of all lists at
+// once.
 
 namespace csgcast {
 namespace {
@@ -15,7 +16,8 @@ constexpr std::size_t no_layer = static_cast<std::size_t>(-1);
 // Walks along the ray from stop to stop; ends of lists that tie make one stop.
 class LayerSweep {
  public:
-  // `passed[i]` counts the ends of list i that lie behind; ends that no surface makes at the start do from the beginning.
+  // `passed[i]` counts the ends of list i that lie behind; ends that no surface makes at the start do from the
+  // beginning.
   LayerSweep(const std::vector<IntervalList>& lists, std::vector<std::size_t>& passed, detail::LineCache& cache)
       : lists_(lists), passed_(passed), cache_(cache) {
     passed_.assign(lists.size(), 0);
@@ -99,8 +101,11 @@ void Caster::interfaces(std::vector<Interface>& list, Span span) {
       // The new medium's own face where it begins here; else it was hidden by the old one, whose face ends here.
       const bool enters = to != no_layer && sweep.begins_here(to);
       const std::size_t layer = enters ? to : from;
-      Interface change{{sweep.last_end(layer), enters ? Passage::entry : Passage::exit}, region_of(scene, from), region_of(scene, to),
-                       into_opaque, scene.layers()[layer].node};
+      Interface change{{sweep.last_end(layer), enters ? Passage::entry : Passage::exit},
+                       region_of(scene, from),
+                       region_of(scene, to),
+                       into_opaque,
+                       scene.layers()[layer].node};
       change.hit.crossing = state.bounding(change.node, change.hit.crossing);
       list.push_back(change);
     }

@@ -24,8 +24,9 @@ struct Difference {
   static constexpr bool keeps(bool in_a, bool in_b) { return in_a && !in_b; }
 };
 
-/// The regularised Boolean combination of two lists along one line, in one sweep over their ends. Ends that tie are passed together, so
-/// intervals that touch join and none has zero length. `order(a, b)` orders two crossings. `result` must not be a or b; it is overwritten.
+/// The regularised Boolean combination of two lists along one line, in one sweep over their ends. Ends that tie are
+/// passed together, so intervals that touch join and none has zero length. `order(a, b)` orders two crossings. `result`
+/// must not be a or b; it is overwritten.
 template <class Operation, class Order>
 void combine(const IntervalList& a, const IntervalList& b, IntervalList& result, Order&& order) {
   result.clear();
@@ -54,8 +55,9 @@ void combine(const IntervalList& a, const IntervalList& b, IntervalList& result,
   }
 }
 
-/// Cuts a list to a span. An interval that starts exactly at span.from or ends exactly at span.to keeps that crossing; one that only touches
-/// the span vanishes; ends that are cut off have the span's t and no surface. `order(crossing, t)` orders a crossing and a number.
+/// Cuts a list to a span. An interval that starts exactly at span.from or ends exactly at span.to keeps that crossing;
+/// one that only touches the span vanishes; ends that are cut off have the span's t and no surface. `order(crossing,
+/// t)` orders a crossing and a number.
 template <class Order>
 void clip(IntervalList& list, Span span, Order&& order) {
   std::size_t kept = 0;

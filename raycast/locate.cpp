@@ -24,7 +24,8 @@ class ChoiceSearch {
   ChoiceSearch(detail::LocalTree& tree, std::vector<Position> positions, std::size_t choices)
       : tree_(tree), positions_(std::move(positions)), sign_(choices, 0), leaf_truth_(tree.leaves().size()) {}
 
-  // Inside (outside) if every choice of signs gives it. Past the budget, as for hundreds of facets through one point, the safe answer: boundary.
+  // Inside (outside) if every choice of signs gives it. Past the budget, as for hundreds of facets through one point,
+  // the safe answer: boundary.
   Location run() {
     std::vector<std::uint32_t> open;  // the choices made, in order; each tries negative, then positive
     bool found_inside = false;
@@ -56,7 +57,8 @@ class ChoiceSearch {
     for (const Position& position : positions_) {
       detail::Truth& leaf = leaf_truth_[position.slot];
       const int sign = position.sign != 0 ? position.sign : sign_[position.choice];
-      const detail::Truth holds = sign == 0 ? detail::Truth::unknown : detail::truth((sign > 0) == position.wants_positive);
+      const detail::Truth holds =
+          sign == 0 ? detail::Truth::unknown : detail::truth((sign > 0) == position.wants_positive);
       leaf = std::min(leaf, holds);
     }
     value_ = tree_.evaluate(leaf_truth_);
@@ -80,8 +82,8 @@ Location Caster::locate(NodeId node, Point p) {
   State& state = *state_;
   const Scene& scene = state.scene;
   if (!is_finite(p)) {
-    throw Error(ErrorCode::bad_value, {}, "a point needs three finite numbers", "no other place can be inside or outside",
-                "check its coordinates");
+    throw Error(ErrorCode::bad_value, {}, "a point needs three finite numbers",
+                "no other place can be inside or outside", "check its coordinates");
   }
   state.near_point.build(scene, node, [&](const Box& box) { return box.contains(p); });
   std::vector<Position> positions;
@@ -90,7 +92,8 @@ Location Caster::locate(NodeId node, Point p) {
     for (const HalfSpace& half_space : scene.half_spaces(scene.leaf(state.near_point.leaves()[slot]))) {
       const int sign = sign_at(scene.surface(half_space.surface), p);
       const auto known = std::find(zero.begin(), zero.end(), half_space.surface);
-      positions.push_back({slot, half_space.sense == Sense::positive, sign, static_cast<std::uint32_t>(known - zero.begin())});
+      positions.push_back(
+          {slot, half_space.sense == Sense::positive, sign, static_cast<std::uint32_t>(known - zero.begin())});
       if (sign == 0 && known == zero.end()) zero.push_back(half_space.surface);
     }
   }

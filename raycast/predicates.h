@@ -10,27 +10,29 @@
 #include "raycast/ray.h"
 #include "raycast/surface.h"
 
-// The three predicates that every structural decision passes through: the sign of a surface at a point, which crossings exist, and the order
-// of two crossings. Planes, and signs at points, are decided exactly. The roots of quadrics are plain double, and what the double says is taken for
-// exact when they are compared with others, so the order is a total one.
+// The three predicates that every structural decision passes through: the sign of a surface at a point, which crossings
+// exist, and the order of two crossings. Planes, and signs at points, are decided exactly. The roots of quadrics are
+// plain double, and what the double says is taken for exact when they are compared with others, so the order is a total
+// one.
 
 namespace csgcast {
 
 /// The line of one ray, as the predicates see it.
 struct Line {
   Ray ray;
-  SurfaceId departure;           ///< the surface that the ray starts on, exactly, by definition; or none
+  SurfaceId departure;  ///< the surface that the ray starts on, exactly, by definition; or none
   Sense departure_side = Sense::positive;
-  std::uint64_t exact_calls = 0; ///< decisions that needed exact arithmetic
+  std::uint64_t exact_calls = 0;  ///< decisions that needed exact arithmetic
 };
 
 /// What one line meets of one surface f: its crossings in ascending order and the sign of f before the first.
 ///
-/// A double root is no crossing. Where f vanishes along the whole line (a ray in a plane, a generator of a quadric) there is no crossing and
-/// the line is on the positive side. Of the surface that a ray departs from only what comes after the start is told: no crossing at t = 0.
+/// A double root is no crossing. Where f vanishes along the whole line (a ray in a plane, a generator of a quadric)
+/// there is no crossing and the line is on the positive side. Of the surface that a ray departs from only what comes
+/// after the start is told: no crossing at t = 0.
 struct LineCrossings {
   std::array<double, 2> t{};
-  double error = 0;             ///< bound on |t - exact t| of planes; 0 for quadrics, whose t decide as they are
+  double error = 0;  ///< bound on |t - exact t| of planes; 0 for quadrics, whose t decide as they are
   std::uint8_t count = 0;
   bool positive_before = true;
 

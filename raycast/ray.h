@@ -30,7 +30,9 @@ struct Span {
   double from = 0;
   double to = std::numeric_limits<double>::infinity();
 
-  static constexpr Span line() { return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}; }
+  static constexpr Span line() {
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
 };
 
 }  // namespace csgcast

@@ -26,16 +26,18 @@ struct HalfSpace {
 struct Leaf {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  std::string kind;      ///< the scene text's word
-  Place place;           ///< the statement that made it
+  std::string kind;  ///< the scene text's word
+  Place place;       ///< the statement that made it
   RegionId region;
-  PartId part;           ///< not valid outside every part
+  PartId part;  ///< not valid outside every part
   LookId look;
   bool holds_nothing = false;  ///< some operator subtracts it: it is never what a medium is made of
-  bool shows_cut = false;      ///< it counts negatively and no look is set below the subtraction: its faces show what was cut
+  bool shows_cut =
+      false;  ///< it counts negatively and no look is set below the subtraction: its faces show what was cut
 };
 
-/// A Boolean node over children [first, first + count) of the scene's list of children; a leaf node has its LeafId in `first`.
+/// A Boolean node over children [first, first + count) of the scene's list of children; a leaf node has its LeafId in
+/// `first`.
 struct Node {
   enum class Op : std::uint8_t { empty, everything, leaf, unite, intersect, subtract, complement };
   Op op = Op::empty;
@@ -50,15 +52,17 @@ struct Part {
   NodeId node;
 };
 
-/// A run of union-level solids, next to each other in file order, of one part and under one look: what counts as one medium.
+/// A run of union-level solids, next to each other in file order, of one part and under one look: what counts as one
+/// medium.
 struct Region {
   NodeId node;
   PartId part;
-  LookId look;  ///< what the statements above the solids say; leaves may say otherwise
+  LookId look;             ///< what the statements above the solids say; leaves may say otherwise
   bool transmits = false;  ///< some leaf that is not cut away lets light through
 };
 
-/// What a ray in a transparent medium tells apart, in file order: each transmitting region by itself, and opaque regions next to each other together.
+/// What a ray in a transparent medium tells apart, in file order: each transmitting region by itself, and opaque
+/// regions next to each other together.
 struct Layer {
   NodeId node;
   RegionId region;  ///< the transmitting region; not valid for opaque ones
@@ -111,8 +115,8 @@ class Scene {
   Box bounded_leaves_;
 };
 
-/// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has more than 2^22 leaves;
-/// Error(usage) for a part below an intersection, difference or complement, or within a part.
+/// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has
+/// more than 2^22 leaves; Error(usage) for a part below an intersection, difference or complement, or within a part.
 Scene compile(const Solid& solid);
 
 }  // namespace csgcast

@@ -63,10 +63,14 @@ Dyadic::Dyadic(const mpz_class& mantissa, std::int64_t exponent)
   normalise();
 }
 
-Dyadic::Dyadic(Small mantissa, std::int64_t exponent, std::nullptr_t) : small_(mantissa), exponent_(exponent) { normalise(); }
+Dyadic::Dyadic(Small mantissa, std::int64_t exponent, std::nullptr_t) : small_(mantissa), exponent_(exponent) {
+  normalise();
+}
 
 Dyadic::Dyadic(const Dyadic& other)
-    : small_(other.small_), large_(other.large_ ? std::make_unique<mpz_class>(*other.large_) : nullptr), exponent_(other.exponent_) {}
+    : small_(other.small_),
+      large_(other.large_ ? std::make_unique<mpz_class>(*other.large_) : nullptr),
+      exponent_(other.exponent_) {}
 
 Dyadic& Dyadic::operator=(const Dyadic& other) {
   if (this != &other) *this = Dyadic(other);
@@ -78,7 +82,7 @@ void Dyadic::normalise() {
     const mp_bitcnt_t zeros = sgn(*large_) == 0 ? 0 : mpz_scan1(large_->get_mpz_t(), 0);
     if (zeros > 0) mpz_tdiv_q_2exp(large_->get_mpz_t(), large_->get_mpz_t(), zeros);
     exponent_ += static_cast<std::int64_t>(zeros);
-    if (mpz_sizeinbase(large_->get_mpz_t(), 2) >= 127) return;
+    if (mpz_sizeinbase(large_->get_mpz_t(), 2) > 127) return;
     std::uint64_t words[2] = {0, 0};
     mpz_export(words, nullptr, -1, sizeof(std::uint64_t), 0, 0, large_->get_mpz_t());
     const Small magnitude = static_cast<Small>(static_cast<Bits>(words[1]) << 64 | words[0]);
@@ -109,7 +113,8 @@ std::size_t Dyadic::bits() const {
   if (large_) return mpz_sizeinbase(large_->get_mpz_t(), 2);
   const Bits magnitude = absolute(small_);
   const auto high = static_cast<std::uint64_t>(magnitude >> 64);
-  return static_cast<std::size_t>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(static_cast<std::uint64_t>(magnitude)));
+  return static_cast<std::size_t>(high != 0 ? 64 + std::bit_width(high)
+                                            : std::bit_width(static_cast<std::uint64_t>(magnitude)));
 }
 
 Dyadic Dyadic::scaled(std::int64_t shift) const {
@@ -119,8 +124,10 @@ Dyadic Dyadic::scaled(std::int64_t shift) const {
 }
 
 std::size_t Dyadic::hash() const {
-  const auto low = large_ ? static_cast<std::uint64_t>(mpz_getlimbn(large_->get_mpz_t(), 0)) : static_cast<std::uint64_t>(absolute(small_));
-  return (low ^ static_cast<std::uint64_t>(sign()) ^ (static_cast<std::uint64_t>(exponent_) << 40)) * 0x9e3779b97f4a7c15u;
+  const auto low = large_ ? static_cast<std::uint64_t>(mpz_getlimbn(large_->get_mpz_t(), 0))
+                          : static_cast<std::uint64_t>(absolute(small_));
+  return (low ^ static_cast<std::uint64_t>(sign()) ^ (static_cast<std::uint64_t>(exponent_) << 40)) *
+         0x9e3779b97f4a7c15u;
 }
 
 Dyadic Dyadic::operator-() const {

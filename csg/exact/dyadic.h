@@ -12,8 +12,8 @@ namespace csgcast {
 
 /// An exact number m * 2^e with integers m and e: what sums and products of doubles are.
 ///
-/// Kept normalised: m is odd, or zero with e = 0. Mantissas below 2^127 are kept in the object itself, so the first few sums and products of
-/// doubles cost no memory; larger ones are GMP's.
+/// Kept normalised: m is odd, or zero with e = 0. Mantissas below 2^127 are kept in the object itself, so the first few
+/// sums and products of doubles cost no memory; larger ones are GMP's.
 class Dyadic {
  public:
   Dyadic() = default;
@@ -73,7 +73,7 @@ class Dyadic {
   void normalise();
 
   Small small_ = 0;                   // the mantissa, unless large_ is set
-  std::unique_ptr<mpz_class> large_;  // a mantissa of 127 bits or more
+  std::unique_ptr<mpz_class> large_;  // a mantissa of 128 bits or more
   std::int64_t exponent_ = 0;
 };
 

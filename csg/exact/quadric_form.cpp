@@ -10,9 +10,8 @@ namespace {
 
 using Term = QuadricForm::Term;
 // Second-degree term of two axes.
-constexpr std::array<std::array<Term, 3>, 3> second_degree{{{Term::xx, Term::xy, Term::xz},
-                                                            {Term::xy, Term::yy, Term::yz},
-                                                            {Term::xz, Term::yz, Term::zz}}};
+constexpr std::array<std::array<Term, 3>, 3> second_degree{
+    {{Term::xx, Term::xy, Term::xz}, {Term::xy, Term::yy, Term::yz}, {Term::xz, Term::yz, Term::zz}}};
 constexpr std::array<Term, 3> first_degree{Term::x, Term::y, Term::z};
 
 }  // namespace

@@ -26,8 +26,8 @@ struct QuadricForm {
   friend bool operator==(const QuadricForm&, const QuadricForm&) = default;
 };
 
-/// Moves surfaces: moved(f) = g such that g(world_from_solid(p)) has the sign of f(p) for every p. g is f(adj(M) p) for a quadric and
-/// sign(det) times it for a plane.
+/// Moves surfaces: moved(f) = g such that g(world_from_solid(p)) has the sign of f(p) for every p. g is f(adj(M) p) for
+/// a quadric and sign(det) times it for a plane.
 class FormMover {
  public:
   /// Precondition: world_from_solid is not singular.
@@ -50,7 +50,8 @@ inline QuadricForm transformed(const QuadricForm& f, const ExactAffine& world_fr
   return FormMover(world_from_solid).moved(f);
 }
 
-/// A form scaled to coprime integers (exponent 0 or more) whose first non-zero coefficient is positive: equal for proportional forms.
+/// A form scaled to coprime integers (exponent 0 or more) whose first non-zero coefficient is positive: equal for
+/// proportional forms.
 struct CanonicalForm {
   QuadricForm form;
   bool flipped = false;  ///< true if the factor was negative: f <= 0 is where the canonical form is >= 0

@@ -11,7 +11,7 @@ namespace csgcast::text {
 namespace {
 
 /// Deeper statements are indented no further: a million nested ones would else take a million times a million tabs.
-constexpr std::size_t deepest_indent = 64;
+constexpr std::size_t deepest_indent = 32;
 
 void write_string(const std::string& content, std::string& out) {
   out += '"';

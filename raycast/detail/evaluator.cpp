@@ -26,7 +26,8 @@ const IntervalList& Evaluator::evaluate(NodeId node, Span span, Want want) {
     if (frame.next == frame.node->count || decided(frame)) {
       if (frame.node->op == Node::Op::complement) {
         const IntervalList whole{{line_start(), line_end()}};
-        combine<Difference>(whole, lists_[list_count_ - 1], scratch_, [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); });
+        combine<Difference>(whole, lists_[list_count_ - 1], scratch_,
+                            [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); });
         std::swap(scratch_, lists_[list_count_ - 1]);
       }
       frames_.pop_back();
@@ -131,7 +132,8 @@ void Evaluator::half_space_intervals(const HalfSpace& half_space) {
   half_space_.clear();
   Crossing from = line_start();
   for (unsigned n = 0; n <= found.count; ++n) {
-    const Crossing to = n < found.count ? Crossing{found.t[n], half_space.surface, static_cast<std::uint8_t>(n)} : line_end();
+    const Crossing to =
+        n < found.count ? Crossing{found.t[n], half_space.surface, static_cast<std::uint8_t>(n)} : line_end();
     if (found.positive_after(n) == (half_space.sense == Sense::positive)) half_space_.push_back({from, to});
     from = to;
   }

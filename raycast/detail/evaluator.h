@@ -19,14 +19,15 @@ enum class Want : std::uint8_t {
 
 /// The definition of the engine: interval lists of leaves, merged bottom-up by union, intersection and difference.
 ///
-/// What cannot matter is not evaluated: nodes whose box the span misses, the right side of a difference whose left is empty, the rest of an intersection
-/// once it is empty, children beyond the extent of what they are combined with. One explicit stack: trees may be a million deep.
+/// What cannot matter is not evaluated: nodes whose box the span misses, the right side of a difference whose left is
+/// empty, the rest of an intersection once it is empty, children beyond the extent of what they are combined with. One
+/// explicit stack: trees may be a million deep.
 class Evaluator {
  public:
   Evaluator(const Scene& scene, LineCache& cache);
 
-  /// The list of a node along the cache's ray, right within the span and unclipped; valid until the next call. The bounding
-  /// surface of an end at which several surfaces tie may be any of them.
+  /// The list of a node along the cache's ray, right within the span and unclipped; valid until the next call. The
+  /// bounding surface of an end at which several surfaces tie may be any of them.
   const IntervalList& evaluate(NodeId node, Span span, Want want);
 
   std::uint64_t box_tests() const { return box_tests_; }
@@ -52,7 +53,8 @@ class Evaluator {
   const Scene& scene_;
   LineCache& cache_;
   std::vector<Frame> frames_;
-  // A stack of lists whose memory stays: one for each open frame that has a result so far, and the one on its way to its parent.
+  // A stack of lists whose memory stays: one for each open frame that has a result so far, and the one on its way to
+  // its parent.
   std::vector<IntervalList> lists_;
   std::size_t list_count_ = 0;
   IntervalList scratch_;

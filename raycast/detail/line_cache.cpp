@@ -25,7 +25,9 @@ const LineCrossings& LineCache::found(SurfaceId id) {
 
 std::weak_ordering LineCache::order(const Crossing& a, const Crossing& b) {
   if (!a.surface.valid() && !b.surface.valid()) {
-    return a.t < b.t ? std::weak_ordering::less : a.t > b.t ? std::weak_ordering::greater : std::weak_ordering::equivalent;
+    return a.t < b.t   ? std::weak_ordering::less
+           : a.t > b.t ? std::weak_ordering::greater
+                       : std::weak_ordering::equivalent;
   }
   if (!b.surface.valid()) return order(a, b.t);
   if (!a.surface.valid()) return 0 <=> order(b, a.t);

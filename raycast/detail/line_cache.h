@@ -11,7 +11,8 @@
 
 namespace csgcast::detail {
 
-/// One ray's crossings with the surfaces of a scene, each computed when first asked for. Turning to another ray costs nothing per surface.
+/// One ray's crossings with the surfaces of a scene, each computed when first asked for. Turning to another ray costs
+/// nothing per surface.
 class LineCache {
  public:
   explicit LineCache(const Scene& scene);
@@ -40,7 +41,9 @@ class LineCache {
     std::uint64_t ray_number = 0;
     LineCrossings crossings;
   };
-  CrossingView view(const Crossing& crossing) { return {crossing.surface, &scene_.surface(crossing.surface), &found(crossing.surface), crossing.root}; }
+  CrossingView view(const Crossing& crossing) {
+    return {crossing.surface, &scene_.surface(crossing.surface), &found(crossing.surface), crossing.root};
+  }
 
   const Scene& scene_;
   Line line_;

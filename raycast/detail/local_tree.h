@@ -15,7 +15,8 @@ enum class Truth : std::uint8_t { no, unknown, yes };
 
 constexpr Truth truth(bool value) { return value ? Truth::yes : Truth::no; }
 
-/// The part of a scene's tree that matters near one place: nodes whose boxes are away from it count as empty. Small, and evaluated many times.
+/// The part of a scene's tree that matters near one place: nodes whose boxes are away from it count as empty. Small,
+/// and evaluated many times.
 class LocalTree {
  public:
   /// `near(box)`: whether the place may be in the box.
@@ -38,7 +39,8 @@ class LocalTree {
   std::span<const LeafId> leaves() const { return leaves_; }
   /// The root's truth, given that of each leaf (by slot).
   Truth evaluate(std::span<const Truth> leaf_truth);
-  /// Of the leaves that hold the place and that no operator subtracts or leaves out, the first in file order. Looks at the last evaluation.
+  /// Of the leaves that hold the place and that no operator subtracts or leaves out, the first in file order. Looks at
+  /// the last evaluation.
   LeafId first_holding_leaf();
 
  private:

@@ -13,9 +13,8 @@ Neighbourhood::Neighbourhood(const Scene& scene, LineCache& cache) : scene_(scen
 void Neighbourhood::move_to(NodeId node, const Crossing& crossing) {
   crossing_ = crossing;
   const double error = cache_.found(crossing.surface).error;
-  tree_.build(scene_, node, [&](const Box& box) {
-    return may_meet(box, cache_.ray(), crossing.t - error, crossing.t + error);
-  });
+  tree_.build(scene_, node,
+              [&](const Box& box) { return may_meet(box, cache_.ray(), crossing.t - error, crossing.t + error); });
   positions_.clear();
   group_.clear();
   bases_.clear();
@@ -39,7 +38,8 @@ void Neighbourhood::add_leaf(std::uint32_t slot, LeafId leaf, const Crossing& cr
 }
 
 std::uint32_t Neighbourhood::group_of(SurfaceId surface, std::uint8_t root) {
-  const auto known = std::find_if(group_.begin(), group_.end(), [&](const Crossing& c) { return c.surface == surface; });
+  const auto known =
+      std::find_if(group_.begin(), group_.end(), [&](const Crossing& c) { return c.surface == surface; });
   const auto index = static_cast<std::uint32_t>(known - group_.begin());
   if (known == group_.end()) group_.push_back(cache_.crossing(surface, root));
   return index;
@@ -106,7 +106,8 @@ bool Neighbourhood::chosen_by_single_flip() {
   return false;
 }
 
-// Flips the surfaces one by one in ascending order, from both sides; the lower of the first ones that change the result.
+// Flips the surfaces one by one in ascending order, from both sides; the lower of the first ones that change the
+// result.
 void Neighbourhood::chosen_by_walk() {
   for (const Side side : {before, after}) {
     reset_flips();
@@ -140,7 +141,8 @@ Crossing Neighbourhood::bounding_crossing() {
   return chosen_ == not_in_group ? crossing_ : group_[chosen_];
 }
 
-// The same rule among the leaves that own the chosen surface: first single copies, then walks. LeafIds ascend in file order.
+// The same rule among the leaves that own the chosen surface: first single copies, then walks. LeafIds ascend in file
+// order.
 std::uint32_t Neighbourhood::first_slot_by_copies() {
   std::vector<std::uint32_t> slots;
   for (const Position& position : positions_) {

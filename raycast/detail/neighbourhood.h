@@ -11,8 +11,8 @@
 
 namespace csgcast::detail {
 
-/// The state of a node's tree right before and right after one crossing of a ray: decides which of several surfaces that tie there bounds the
-/// solid, and which leaf the face belongs to (docs/architecture.md, Ties).
+/// The state of a node's tree right before and right after one crossing of a ray: decides which of several surfaces
+/// that tie there bounds the solid, and which leaf the face belongs to (docs/architecture.md, Ties).
 class Neighbourhood {
  public:
   Neighbourhood(const Scene& scene, LineCache& cache);
@@ -23,7 +23,8 @@ class Neighbourhood {
   Crossing bounding_crossing();
   /// The leaf whose face it is, by the same rule among the leaves that own the surface.
   LeafId bounding_leaf();
-  /// The first leaf in file order that nothing subtracts and that holds what lies right after (entry) or right before (exit) the crossing; may be invalid.
+  /// The first leaf in file order that nothing subtracts and that holds what lies right after (entry) or right before
+  /// (exit) the crossing; may be invalid.
   LeafId holding_leaf(Passage passage);
 
  private:
@@ -32,9 +33,9 @@ class Neighbourhood {
 
   // One half-space of one near leaf.
   struct Position {
-    std::uint32_t slot;    // of the leaf
-    std::uint32_t group;   // index into group_ if its surface ties with the crossing
-    bool holds[2];         // before and after
+    std::uint32_t slot;   // of the leaf
+    std::uint32_t group;  // index into group_ if its surface ties with the crossing
+    bool holds[2];        // before and after
   };
   // A state to flip things in: a side, with some surfaces flipped already.
   struct Base {
@@ -59,12 +60,12 @@ class Neighbourhood {
   LineCache& cache_;
   LocalTree tree_;
   Crossing crossing_;
-  std::vector<Position> positions_;        // by slot, ascending
-  std::vector<Crossing> group_;            // the crossings that tie, ascending by surface
-  std::vector<std::uint8_t> flipped_;      // by position
+  std::vector<Position> positions_;    // by slot, ascending
+  std::vector<Crossing> group_;        // the crossings that tie, ascending by surface
+  std::vector<std::uint8_t> flipped_;  // by position
   std::vector<Truth> leaf_truth_;
-  std::uint32_t chosen_ = not_in_group;    // index into group_
-  std::vector<Base> bases_;                // the states in which flipping the chosen surface changes the result
+  std::uint32_t chosen_ = not_in_group;  // index into group_
+  std::vector<Base> bases_;              // the states in which flipping the chosen surface changes the result
 };
 
 }  // namespace csgcast::detail

@@ -13,22 +13,24 @@ constexpr double u = 0x1p-53;
 constexpr double least_trusted = 0x1p-900;
 constexpr double greatest_trusted = 0x1p900;
 
-// A computed number and a bound on its distance from the exact one; trusted only if neither underflow nor overflow can have touched it.
+// A computed number and a bound on its distance from the exact one; trusted only if neither underflow nor overflow can
+// have touched it.
 struct Bounded {
   double value;
   double error;
   bool trusted;
 };
 
-// c_x v_x + c_y v_y + c_z v_z + constant. Each coefficient carries a relative error u, each product another, and the three
-// additions at most three more: (1 + u)^5 - 1 < 6 u of the sum of magnitudes.
+// c_x v_x + c_y v_y + c_z v_z + constant. Each coefficient carries a relative error u, each product another, and the
+// three additions at most three more: (1 + u)^5 - 1 < 6 u of the sum of magnitudes.
 Bounded linear_form(const Surface& plane, double x, double y, double z, double constant) {
   const auto& c = plane.coefficient;
   const double tx = c[Form::x] * x;
   const double ty = c[Form::y] * y;
   const double tz = c[Form::z] * z;
   const double magnitude = std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(constant);
-  return {tx + ty + tz + constant, 6 * u * magnitude, plane.in_range && magnitude > least_trusted && magnitude < greatest_trusted};
+  return {tx + ty + tz + constant, 6 * u * magnitude,
+          plane.in_range && magnitude > least_trusted && magnitude < greatest_trusted};
 }
 
 // n . d and f(o), exactly and without the plane's scale (which does not change -f(o) / (n . d)).
@@ -55,7 +57,8 @@ double quotient(const Dyadic& a, const Dyadic& b) {
 
 bool lies_in_plane_by_zeros(const Surface& plane, Vector d) {
   const auto& c = plane.coefficient;
-  return plane.in_range && (c[Form::x] == 0 || d.x == 0) && (c[Form::y] == 0 || d.y == 0) && (c[Form::z] == 0 || d.z == 0);
+  return plane.in_range && (c[Form::x] == 0 || d.x == 0) && (c[Form::y] == 0 || d.y == 0) &&
+         (c[Form::z] == 0 || d.z == 0);
 }
 
 LineCrossings parallel(const Line& line, const Surface& plane) {
@@ -80,7 +83,8 @@ LineCrossings exact_crossings(Line& line, const Surface& plane) {
   const double t = quotient(-plane.exact.at(line.ray.origin()), slope);
   // Beyond the doubles the order must not trust t: an infinite error sends every comparison to the exact stage.
   if (!std::isfinite(t)) {
-    return single(std::copysign(std::numeric_limits<double>::max(), t), std::numeric_limits<double>::infinity(), slope.sign() > 0);
+    return single(std::copysign(std::numeric_limits<double>::max(), t), std::numeric_limits<double>::infinity(),
+                  slope.sign() > 0);
   }
   return single(t, 2 * u * std::fabs(t) + std::numeric_limits<double>::denorm_min(), slope.sign() > 0);
 }
@@ -101,9 +105,10 @@ LineCrossings plane_crossings(Line& line, SurfaceId id, const Surface& plane) {
   const Bounded value = linear_form(plane, o.x, o.y, o.z, plane.coefficient[Form::one]);
   const double t = -value.value / slope.value;
   if (!value.trusted || !(std::fabs(t) < greatest_trusted)) return exact_crossings(line, plane);
-  // |-v/s - exact| <= (dv + |t| ds) / (|s| - ds), and |s| - ds >= |s| / 2; the division's own error is u |t|. The factor 3 covers the
-  // rounding of this bound itself, and least_trusted a result that underflows.
-  const double error = 3 * ((value.error + std::fabs(t) * slope.error) / std::fabs(slope.value) + u * std::fabs(t)) + least_trusted;
+  // |-v/s - exact| <= (dv + |t| ds) / (|s| - ds), and |s| - ds >= |s| / 2; the division's own error is u |t|. The
+  // factor 3 covers the rounding of this bound itself, and least_trusted a result that underflows.
+  const double error =
+      3 * ((value.error + std::fabs(t) * slope.error) / std::fabs(slope.value) + u * std::fabs(t)) + least_trusted;
   return single(t, error, slope.value > 0);
 }
 

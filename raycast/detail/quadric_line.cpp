@@ -26,10 +26,12 @@ Vector times_matrix(const Coefficients& k, Vector v) {
 Quadratic restrict_to_line(const Coefficients& k, Vector q, Vector d) {
   const Vector linear{k[Form::x], k[Form::y], k[Form::z]};
   const Vector image = times_matrix(k, d);
-  return {dot(d, image), dot(q, image) + 0.5 * dot(linear, d), dot(q, times_matrix(k, q)) + dot(linear, q) + k[Form::one]};
+  return {dot(d, image), dot(q, image) + 0.5 * dot(linear, d),
+          dot(q, times_matrix(k, q)) + dot(linear, q) + k[Form::one]};
 }
 
-// Keeps the finite ones of two ascending roots: a root at infinity is none, and the sign changes with the one that left below.
+// Keeps the finite ones of two ascending roots: a root at infinity is none, and the sign changes with the one that left
+// below.
 LineCrossings of_roots(double lower, double upper, bool positive_before) {
   LineCrossings found;
   found.positive_before = positive_before;
@@ -54,8 +56,9 @@ LineCrossings linear_crossing(const Quadratic& f, double t0) {
   return found;
 }
 
-// The line starts on the surface, where c is 0 by definition: f(t) = t (a t + 2 b). On the way f has the sign of the departure's side at first and
-// that of a in the end, so there is a crossing after the start exactly if these differ; at a silhouette rounding may put it at 0.
+// The line starts on the surface, where c is 0 by definition: f(t) = t (a t + 2 b). On the way f has the sign of the
+// departure's side at first and that of a in the end, so there is a crossing after the start exactly if these differ;
+// at a silhouette rounding may put it at 0.
 LineCrossings departing_crossings(const Quadratic& f, bool positive_side) {
   LineCrossings found;
   found.positive_before = positive_side;

@@ -16,7 +16,8 @@ constexpr std::size_t most_bits = std::size_t{1} << 14;
 
 // A transform, look or part hands its child's node on; so does a union above which there are only unions.
 bool passes_through(const Solid& solid) {
-  return solid.kind() == Solid::Kind::transform || solid.kind() == Solid::Kind::look || solid.kind() == Solid::Kind::part;
+  return solid.kind() == Solid::Kind::transform || solid.kind() == Solid::Kind::look ||
+         solid.kind() == Solid::Kind::part;
 }
 
 Point leaf_center(const Box& box) {
@@ -30,8 +31,9 @@ Point leaf_center(const Box& box) {
 }
 
 std::vector<double> look_key(const Material& m) {
-  return {m.color.r,      m.color.g,    m.color.b,    m.ambient,    m.diffuse,      m.specular,     m.shininess,   m.reflection,
-          m.transmission, m.ior,        m.emission.r, m.emission.g, m.emission.b,   m.absorption.r, m.absorption.g, m.absorption.b};
+  return {m.color.r,    m.color.g,      m.color.b,      m.ambient,     m.diffuse,    m.specular,
+          m.shininess,  m.reflection,   m.transmission, m.ior,         m.emission.r, m.emission.g,
+          m.emission.b, m.absorption.r, m.absorption.g, m.absorption.b};
 }
 
 }  // namespace
@@ -92,7 +94,8 @@ SceneCompiler::Context SceneCompiler::child_context(const Frame& frame) {
       auto product = std::make_shared<ExactAffine>(below.world_from_solid ? *below.world_from_solid * inner : inner);
       if (product->bits() > most_bits) {
         throw Error(ErrorCode::limit, frame.solid.place(), "too many transforms inside each other",
-                    "composing them exactly takes numbers of more than 16,384 bits", "combine them into one multmatrix");
+                    "composing them exactly takes numbers of more than 16,384 bits",
+                    "combine them into one multmatrix");
       }
       below.world_from_solid = std::move(product);
       break;
@@ -122,7 +125,8 @@ SceneCompiler::Context SceneCompiler::child_context(const Frame& frame) {
 void SceneCompiler::close() {
   const Frame frame = std::move(frames_.back());
   frames_.pop_back();
-  const bool hands_on = passes_through(frame.solid) || (frame.solid.kind() == Solid::Kind::unite && frame.context.at_union_level);
+  const bool hands_on =
+      passes_through(frame.solid) || (frame.solid.kind() == Solid::Kind::unite && frame.context.at_union_level);
   if (hands_on) return;
   const auto children = std::span<const NodeId>(results_).subspan(frame.results);
   NodeId node;
@@ -145,9 +149,10 @@ void SceneCompiler::close() {
 
 PartId SceneCompiler::add_part(const Solid& solid, const Context& context) {
   if (!context.at_union_level || context.part.valid()) {
-    throw Error(ErrorCode::usage, solid.place(), "a part cannot stand here",
-                context.part.valid() ? "parts do not nest" : "only unions, groups, transforms and looks may stand above a part",
-                "move the part up, above the operators");
+    throw Error(
+        ErrorCode::usage, solid.place(), "a part cannot stand here",
+        context.part.valid() ? "parts do not nest" : "only unions, groups, transforms and looks may stand above a part",
+        "move the part up, above the operators");
   }
   scene_.parts_.push_back({solid.part(), solid.place(), {}});
   return PartId(static_cast<std::uint32_t>(scene_.parts_.size() - 1));
@@ -155,15 +160,16 @@ PartId SceneCompiler::add_part(const Solid& solid, const Context& context) {
 
 LookId SceneCompiler::look_id(const LookContext& looks) {
   const Material material = looks.resolve();
-  const auto [it, is_new] = look_ids_.try_emplace(look_key(material), LookId(static_cast<std::uint32_t>(scene_.looks_.size())));
+  const auto [it, is_new] =
+      look_ids_.try_emplace(look_key(material), LookId(static_cast<std::uint32_t>(scene_.looks_.size())));
   if (is_new) scene_.looks_.push_back(material);
   return it->second;
 }
 
 NodeId SceneCompiler::add_leaf(const Solid& solid, const Context& context) {
   if (scene_.leaves_.size() >= most_leaves) {
-    throw Error(ErrorCode::limit, solid.place(), "the scene has more than 4,194,304 leaves", "each use of a shared solid counts",
-                "render it in pieces");
+    throw Error(ErrorCode::limit, solid.place(), "the scene has more than 4,194,304 leaves",
+                "each use of a shared solid counts", "render it in pieces");
   }
   static const ExactAffine identity;
   const ExactAffine* moved = context.world_from_solid.get();
@@ -189,7 +195,8 @@ NodeId SceneCompiler::add_leaf(const Solid& solid, const Context& context) {
 }
 
 // False if two of the half-spaces face each other on one surface: then the leaf has no inside.
-bool SceneCompiler::add_half_spaces(const LeafShape& shape, const ExactAffine* world_from_solid, Leaf& leaf, Point center) {
+bool SceneCompiler::add_half_spaces(const LeafShape& shape, const ExactAffine* world_from_solid, Leaf& leaf,
+                                    Point center) {
   const FormMover mover(world_from_solid ? *world_from_solid : ExactAffine());
   const auto begin = static_cast<std::ptrdiff_t>(leaf.first);
   for (const QuadricForm& form : shape.forms) {
@@ -220,7 +227,8 @@ Box SceneCompiler::box_of(Node::Op op, std::span<const NodeId> children) const {
 
 NodeId SceneCompiler::add_node(Node::Op op, std::span<const NodeId> children) {
   const Box box = box_of(op, children);
-  const bool empty = op == Node::Op::empty || (op != Node::Op::complement && op != Node::Op::everything && box.is_null());
+  const bool empty =
+      op == Node::Op::empty || (op != Node::Op::complement && op != Node::Op::everything && box.is_null());
   Node node{empty ? Node::Op::empty : op, 0, 0, box};
   if (!empty) {
     node.first = static_cast<std::uint32_t>(scene_.children_.size());

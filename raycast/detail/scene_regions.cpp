@@ -4,14 +4,16 @@
 
 #include "raycast/detail/scene_compiler.h"
 
-// What the compiler does above the bodies, the solids at union level: unions as hierarchies of boxes, regions, parts, layers.
+// What the compiler does above the bodies, the solids at union level: unions as hierarchies of boxes, regions, parts,
+// layers.
 
 namespace csgcast {
 namespace {
 
 // Unions of more children than this are split in two.
 constexpr std::size_t widest_union = 4;
-// Culling must not depend on the last bits of plain double roots: boxes of nodes are widened by this share of their coordinates.
+// Culling must not depend on the last bits of plain double roots: boxes of nodes are widened by this share of their
+// coordinates.
 constexpr double margin = 0x1p-30;
 
 bool is_bounded(const Box& box) { return box.is_finite(); }
@@ -32,13 +34,14 @@ std::size_t longest_axis_of_middles(std::span<const NodeId> children, std::span<
 
 }  // namespace
 
-// A union is the same in any order and grouping: wide ones become a hierarchy, halved along the longest axis, so that boxes cull. Recursive, to the
-// logarithm of the number of children.
+// A union is the same in any order and grouping: wide ones become a hierarchy, halved along the longest axis, so that
+// boxes cull. Recursive, to the logarithm of the number of children.
 NodeId SceneCompiler::add_union(std::vector<NodeId> children) {
   std::erase_if(children, [&](NodeId child) { return scene_.node(child).op == Node::Op::empty; });
   if (children.empty()) return add_node(Node::Op::empty, {});
   if (children.size() == 1) return children.front();
-  const auto unbounded = std::partition(children.begin(), children.end(), [&](NodeId child) { return is_bounded(scene_.node(child).box); });
+  const auto unbounded = std::partition(children.begin(), children.end(),
+                                        [&](NodeId child) { return is_bounded(scene_.node(child).box); });
   if (unbounded != children.end() && unbounded != children.begin()) {
     std::vector<NodeId> top(unbounded, children.end());
     top.push_back(add_union({children.begin(), unbounded}));

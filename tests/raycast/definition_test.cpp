@@ -57,22 +57,30 @@ TEST_CASE("grid boxes: lists, bounding surfaces and leaves are those of the defi
 TEST_CASE("corner-sharing polyhedra: the same") {
   RandomSolids random(12);
   for (int n = 0; n < 200; ++n) {
-    compare(random, random.tree(2 + n % 5, [&] {
-      std::vector<Point> points(6);
-      for (Point& p : points) p = {random.quarter(-1, 1), random.quarter(-1, 1), random.quarter(-1, 1)};
-      return convex_from_points(points);
-    }), 40);
+    compare(random,
+            random.tree(2 + n % 5,
+                        [&] {
+                          std::vector<Point> points(6);
+                          for (Point& p : points)
+                            p = {random.quarter(-1, 1), random.quarter(-1, 1), random.quarter(-1, 1)};
+                          return convex_from_points(points);
+                        }),
+            40);
   }
 }
 
 TEST_CASE("half-spaces and their complements: the same") {
   RandomSolids random(13);
   for (int n = 0; n < 200; ++n) {
-    compare(random, random.tree(2 + n % 6, [&] {
-      Vector normal;
-      while (normal == Vector{}) normal = {random.quarter(-1, 1), random.quarter(-1, 1), random.quarter(-1, 1)};
-      const Solid half = halfspace(normal, random.quarter(-1, 1));
-      return random.index(3) == 0 ? complement(half) : half;
-    }), 40);
+    compare(random,
+            random.tree(2 + n % 6,
+                        [&] {
+                          Vector normal;
+                          while (normal == Vector{})
+                            normal = {random.quarter(-1, 1), random.quarter(-1, 1), random.quarter(-1, 1)};
+                          const Solid half = halfspace(normal, random.quarter(-1, 1));
+                          return random.index(3) == 0 ? complement(half) : half;
+                        }),
+            40);
   }
 }

@@ -91,7 +91,7 @@ TEST_CASE("cylinders and cones: side, caps, apex, parallel lines") {
   const Solid tube = cylinder(2, 1, 1);
   check(list_of(tube, {-3, 0, 1}, {1, 0, 0}), {{2, 4}});
   check(list_of(tube, {0.5, 0, -1}, {0, 0, 1}), {{1, 3}});
-  check(list_of(tube, {1, 0, -1}, {0, 0, 1}), {});      // a generator is outside
+  check(list_of(tube, {1, 0, -1}, {0, 0, 1}), {});  // a generator is outside
 }
 
 TEST_CASE("a cone's apex is entered and left through its sides") {
@@ -150,7 +150,8 @@ TEST_CASE("surfaces that are equal in different coordinates are one surface") {
   const Scene scene = compile(scaled + box({2, 2, 2}));
   CHECK(scene.surfaces().size() == 6);
   CHECK(scene.leaves().size() == 2);
-  const Scene mirrored = compile(transformed(sphere(1), mirroring({1, 0, 0})) + sphere(1) + transformed(sphere(0.5), scaling({2, 2, 2})));
+  const Scene mirrored =
+      compile(transformed(sphere(1), mirroring({1, 0, 0})) + sphere(1) + transformed(sphere(0.5), scaling({2, 2, 2})));
   CHECK(mirrored.surfaces().size() == 1);
 }
 

@@ -57,9 +57,12 @@ TEST_CASE("between the ends of its intervals a ray is where exact evaluation of 
       const IntervalList list = cast(ray);
       for (int k = 0; k < 8; ++k) {
         const double t = random.number(-4, 4);
-        const auto near_an_end = [&](const Interval& i) { return std::fabs(i.entry.t - t) < 1e-6 || std::fabs(i.exit.t - t) < 1e-6; };
+        const auto near_an_end = [&](const Interval& i) {
+          return std::fabs(i.entry.t - t) < 1e-6 || std::fabs(i.exit.t - t) < 1e-6;
+        };
         if (std::any_of(list.begin(), list.end(), near_an_end)) continue;
-        const bool inside = std::any_of(list.begin(), list.end(), [&](const Interval& i) { return i.entry.t < t && t < i.exit.t; });
+        const bool inside =
+            std::any_of(list.begin(), list.end(), [&](const Interval& i) { return i.entry.t < t && t < i.exit.t; });
         const std::optional<bool> truth = test::contains(solid, ray.at(t));
         if (!truth) continue;
         ++checked;
@@ -157,7 +160,9 @@ TEST_CASE("membership agrees with exact evaluation, and midpoints of intervals a
     }
     for_random_rays(random, [&](const Ray& ray) {
       for (const Interval& interval : cast(ray)) {
-        if (!std::isfinite(interval.entry.t) || !std::isfinite(interval.exit.t) || interval.exit.t - interval.entry.t < 1e-6) continue;
+        if (!std::isfinite(interval.entry.t) || !std::isfinite(interval.exit.t) ||
+            interval.exit.t - interval.entry.t < 1e-6)
+          continue;
         CHECK(cast.caster.locate(ray.at(0.5 * (interval.entry.t + interval.exit.t))) == Location::inside);
       }
     });

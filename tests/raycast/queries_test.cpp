@@ -144,7 +144,8 @@ TEST_CASE("at a silhouette the side of departure decides, whatever the rounding 
 }
 
 TEST_CASE("water that touches glass stays two media") {
-  Scenery tank(named(glass(box({1, 1, 1}), 1.33), {"water", 1}) + named(glass(at(box({1, 1, 1}), {1, 0, 0}), 1.5), {"glass", 1}));
+  Scenery tank(named(glass(box({1, 1, 1}), 1.33), {"water", 1}) +
+               named(glass(at(box({1, 1, 1}), {1, 0, 0}), 1.5), {"glass", 1}));
   tank.caster.begin(Ray({-1, 0.5, 0.5}, {1, 0, 0}));
   std::vector<Interface> changes;
   tank.caster.interfaces(changes);
@@ -178,7 +179,8 @@ TEST_CASE("where media overlap the first in file order wins, and an opaque solid
 }
 
 TEST_CASE("neighbours of one look are one medium") {
-  Scenery slabs(glass(box({1, 1, 1}), 1.5) + painted(at(box({1, 1, 1}), {0, 5, 0}), 1) + glass(at(box({1, 1, 1}), {1, 0, 0}), 1.5));
+  Scenery slabs(glass(box({1, 1, 1}), 1.5) + painted(at(box({1, 1, 1}), {0, 5, 0}), 1) +
+                glass(at(box({1, 1, 1}), {1, 0, 0}), 1.5));
   std::vector<Interface> changes;
   slabs.caster.begin(Ray({-1, 0.5, 0.5}, {1, 0, 0}));
   slabs.caster.interfaces(changes);

@@ -12,7 +12,9 @@ using Form = QuadricForm;
 
 mpq_class fraction(double value) { return mpq_class(value); }
 
-mpq_class fraction(const Dyadic& value) { return mpq_class(value.mantissa() << static_cast<mp_bitcnt_t>(value.exponent())); }
+mpq_class fraction(const Dyadic& value) {
+  return mpq_class(value.mantissa() << static_cast<mp_bitcnt_t>(value.exponent()));
+}
 
 // A half-space of a leaf whose sign is turned round in a thought experiment: every copy of a surface, or one leaf's.
 struct Flip {
@@ -76,7 +78,8 @@ class Definition {
       if (!value) {
         value = node.op == Node::Op::complement ? !in_child : in_child;
       } else {
-        value = node.op == Node::Op::unite ? *value || in_child : *value && (in_child == (node.op == Node::Op::intersect));
+        value =
+            node.op == Node::Op::unite ? *value || in_child : *value && (in_child == (node.op == Node::Op::intersect));
       }
     }
     return *value;
@@ -102,7 +105,8 @@ class Definition {
   }
 
   // The rule of docs/architecture.md, once for surfaces and once for the leaves that own the chosen one.
-  DefinedEnd bounding_end(const mpq_class& t, std::vector<SurfaceId> group, const std::vector<bool>& before, const std::vector<bool>& after) {
+  DefinedEnd bounding_end(const mpq_class& t, std::vector<SurfaceId> group, const std::vector<bool>& before,
+                          const std::vector<bool>& after) {
     std::sort(group.begin(), group.end());
     struct Base {
       const std::vector<bool>* state;
@@ -160,6 +164,8 @@ class Definition {
 
 }  // namespace
 
-std::vector<DefinedInterval> intervals_by_definition(const Scene& scene, const Ray& ray) { return Definition(scene, ray).run(); }
+std::vector<DefinedInterval> intervals_by_definition(const Scene& scene, const Ray& ray) {
+  return Definition(scene, ray).run();
+}
 
 }  // namespace csgcast::test

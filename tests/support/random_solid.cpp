@@ -44,7 +44,8 @@ Solid RandomSolids::plain_leaf() {
       return hyperboloid(2 * size(), 0.5 + size(), 0.4);
     case 6: {
       const double c = number(-1, 1);
-      return quadric({number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1)}, direction(), c);
+      return quadric({number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1)},
+                     direction(), c);
     }
     case 7: {
       const double d = number(-0.5, 0.5);

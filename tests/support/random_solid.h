@@ -8,7 +8,8 @@
 
 namespace csgcast::test {
 
-/// Seeded random solids: every kind of leaf, every operator, transforms with mirrors. The same seed gives the same solid everywhere.
+/// Seeded random solids: every kind of leaf, every operator, transforms with mirrors. The same seed gives the same
+/// solid everywhere.
 class RandomSolids {
  public:
   explicit RandomSolids(std::uint64_t seed) : engine_(seed) {}
