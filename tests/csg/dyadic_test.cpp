@@ -69,6 +69,27 @@ TEST_CASE("sums, differences and products are those of rational numbers") {
   }
 }
 
+TEST_CASE("sums and products are exact around every mantissa length up to 300 bits, 64 and 128 among them") {
+  const auto next_to_power = [](int exponent, int offset) {
+    return Dyadic(mpz_class((mpz_class(1) << static_cast<mp_bitcnt_t>(exponent)) + offset), -exponent / 2);
+  };
+  for (int bits = 1; bits <= 300; ++bits) {
+    for (const int offset : {-1, 0, 1}) {
+      const Dyadic a = next_to_power(bits, offset), b = -next_to_power(bits / 2 + 30, 1);
+      CAPTURE(bits, offset);
+      CHECK(rational(a * b) == rational(a) * rational(b));
+      CHECK(rational(a + b) == rational(a) + rational(b));
+      CHECK(rational(a - b) == rational(a) - rational(b));
+      CHECK((a + b) - b == a);  // also back from long to short
+      CHECK((a * b < a) == (rational(a) * rational(b) < rational(a)));
+      CHECK((a - a).is_zero());
+      const Dyadic copy = a;
+      CHECK(copy == a);
+      CHECK(copy.scaled(3).scaled(-3) == a);
+    }
+  }
+}
+
 TEST_CASE("equal values have equal members however they came about") {
   const Dyadic quarter = Dyadic(0.75) - Dyadic(0.5);
   CHECK(quarter == Dyadic(1.0).scaled(-2));
