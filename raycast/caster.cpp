@@ -14,10 +14,12 @@ CasterCounts& CasterCounts::operator+=(const CasterCounts& other) {
   box_tests += other.box_tests;
   leaf_tests += other.leaf_tests;
   exact_calls += other.exact_calls;
+  rays_flagged += other.rays_flagged;
   return *this;
 }
 
-Caster::Caster(const Scene& scene) : state_(std::make_unique<State>(scene)) {}
+Caster::Caster(const Scene& scene, const Predicates& predicates)
+    : state_(std::make_unique<State>(scene, predicates)) {}
 Caster::~Caster() = default;
 Caster::Caster(Caster&&) noexcept = default;
 
@@ -62,7 +64,8 @@ bool Caster::any_hit(NodeId node, Span span) {
 CasterCounts Caster::counts() const {
   const State& state = *state_;
   return {state.rays, state.cache.surface_tests(), state.evaluator.box_tests(), state.evaluator.leaf_tests(),
-          state.cache.exact_calls()};
+          state.cache.exact_calls().structural(),
+          state.cache.rays_flagged()};
 }
 
 Crossing Caster::State::bounding(NodeId node, const Crossing& crossing) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "raycast/hit.h"
+#include "raycast/predicates.h"
 #include "raycast/ray.h"
 #include "raycast/scene.h"
 
@@ -36,6 +37,7 @@ struct CasterCounts {
   std::uint64_t box_tests = 0;
   std::uint64_t leaf_tests = 0;
   std::uint64_t exact_calls = 0;  ///< decisions that floating point could not take
+  std::uint64_t rays_flagged = 0;   ///< rays with such a decision
   CasterCounts& operator+=(const CasterCounts& other);
 };
 
@@ -46,7 +48,7 @@ struct CasterCounts {
 class Caster {
  public:
   /// The scene must outlive the caster.
-  explicit Caster(const Scene& scene);
+  explicit Caster(const Scene& scene, const Predicates& predicates = certified_predicates());
   ~Caster();
   Caster(Caster&&) noexcept;
 

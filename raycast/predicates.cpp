@@ -3,8 +3,10 @@
 
 #include <cmath>
 
-#include "raycast/detail/plane_line.h"
-#include "raycast/detail/quadric_line.h"
+#include "raycast/detail/exact_line.h"
+#include "raycast/detail/line_filter.h"
+#include "raycast/detail/nearest_t.h"
+#include "raycast/detail/uncertified_line.h"
 
 namespace csgcast {
 namespace {
@@ -13,53 +15,105 @@ std::weak_ordering by_value(double gap) {
   return gap < 0 ? std::weak_ordering::less : gap > 0 ? std::weak_ordering::greater : std::weak_ordering::equivalent;
 }
 
+std::optional<LineCrossings> filtered(const Line& line, SurfaceId id, const Surface& surface) {
+  if (id == line.departure) return detail::filtered_departure(line, surface);
+  return surface.kind == SurfaceKind::plane ? detail::filtered_plane(line.in_frame, surface) : detail::filtered_quadric(line.in_frame, surface);
+}
+
+// tau of a number; the unit is a power of two, so only the subtraction of the shift rounds.
+double tau_of(const Line& line, double t) { return t / line.in_frame.unit - line.in_frame.shift; }
+
+std::weak_ordering order_with_infinity(double t) { return t > 0 ? std::weak_ordering::less : std::weak_ordering::greater; }
+
+LineCrossings certified_crossings(const Line& line, SurfaceId id, const Surface& surface, ExactCalls& calls) {
+  if (const std::optional<LineCrossings> found = filtered(line, id, surface)) return *found;
+  ++calls.existence;
+  return detail::exact_crossings(line, id, surface);
+}
+
+std::weak_ordering certified_order(const Line& line, const CrossingView& a, const CrossingView& b, ExactCalls& calls) {
+  if (a.id == b.id) return a.root <=> b.root;
+  const double gap = a.tau() - b.tau();
+  // The subtraction and the sum of the errors round by a relative u each: twice the errors cover both.
+  if (std::fabs(gap) > 2 * (a.found->error + b.found->error)) return by_value(gap);
+  ++calls.order;
+  return detail::exact_root(line, a) <=> detail::exact_root(line, b);
+}
+
+std::weak_ordering certified_order_with(const Line& line, const CrossingView& a, double t, ExactCalls& calls) {
+  if (std::isinf(t)) return order_with_infinity(t);
+  const double tau = tau_of(line, t);
+  const double gap = a.tau() - tau;
+  if (std::fabs(gap) > 2 * (a.found->error + 0x1p-53 * std::fabs(tau))) return by_value(gap);
+  ++calls.order;
+  return detail::exact_root(line, a) <=> detail::ExactRoot(Dyadic(t));
+}
+
+LineCrossings always_exact_crossings(const Line& line, SurfaceId id, const Surface& surface, ExactCalls& calls) {
+  ++calls.existence;
+  return detail::exact_crossings(line, id, surface);
+}
+
+std::weak_ordering always_exact_order(const Line& line, const CrossingView& a, const CrossingView& b, ExactCalls& calls) {
+  ++calls.order;
+  return detail::exact_root(line, a) <=> detail::exact_root(line, b);
+}
+
+std::weak_ordering always_exact_order_with(const Line& line, const CrossingView& a, double t, ExactCalls& calls) {
+  if (std::isinf(t)) return order_with_infinity(t);
+  ++calls.order;
+  return detail::exact_root(line, a) <=> detail::ExactRoot(Dyadic(t));
+}
+
+double always_exact_t(const Line& line, const CrossingView& crossing, ExactCalls& calls) {
+  ++calls.rounding;
+  return detail::exact_nearest_t(line, crossing);
+}
+
+std::weak_ordering uncertified_order(const Line&, const CrossingView& a, const CrossingView& b, ExactCalls&) {
+  if (a.id == b.id) return a.root <=> b.root;
+  return by_value(a.tau() - b.tau());
+}
+
+std::weak_ordering uncertified_order_with(const Line& line, const CrossingView& a, double t, ExactCalls&) {
+  return std::isinf(t) ? order_with_infinity(t) : by_value(a.tau() - tau_of(line, t));
+}
+
+double uncertified_t(const Line& line, const CrossingView& crossing, ExactCalls&) { return line.in_frame.t(crossing.tau()); }
+
 }  // namespace
 
 int sign_at(const Surface& surface, Point p) {
   using Form = QuadricForm;
-  const auto& c = surface.coefficient;
-  const std::array<double, Form::term_count> term{c[Form::xx] * p.x * p.x, c[Form::yy] * p.y * p.y,
-                                                  c[Form::zz] * p.z * p.z, c[Form::xy] * p.x * p.y,
-                                                  c[Form::xz] * p.x * p.z, c[Form::yz] * p.y * p.z,
-                                                  c[Form::x] * p.x,        c[Form::y] * p.y,
-                                                  c[Form::z] * p.z,        c[Form::one]};
+  const auto& c = surface.world;
+  const std::array<double, Form::term_count> term{
+      c[Form::xx] * p.x * p.x, c[Form::yy] * p.y * p.y, c[Form::zz] * p.z * p.z, c[Form::xy] * p.x * p.y, c[Form::xz] * p.x * p.z,
+      c[Form::yz] * p.y * p.z, c[Form::x] * p.x,        c[Form::y] * p.y,        c[Form::z] * p.z,        c[Form::one]};
   double sum = 0;
   double magnitude = 0;
   for (const double t : term) {
     sum += t;
     magnitude += std::fabs(t);
   }
-  // A coefficient's rounding, two products and nine additions: (1 + u)^12 - 1 < 13 u; 16 u also covers the rounding of
-  // the bound. Out of the middle of the exponents under- and overflow may have touched a term.
-  if (surface.in_range && magnitude > 0x1p-900 && magnitude < 0x1p900 && std::fabs(sum) > 0x10p-53 * magnitude)
-    return sum > 0 ? 1 : -1;
+  // A coefficient's rounding, two products and nine additions: (1 + u)^12 - 1 < 13 u; 16 u also covers the rounding of the bound. Out of
+  // the middle of the exponents under- and overflow may have touched a term.
+  if (surface.in_range && magnitude > 0x1p-900 && magnitude < 0x1p900 && std::fabs(sum) > 0x10p-53 * magnitude) return sum > 0 ? 1 : -1;
   return surface.exact.at(p).sign();
 }
 
-LineCrossings crossings(Line& line, SurfaceId id, const Surface& surface) {
-  return surface.kind == SurfaceKind::plane ? detail::plane_crossings(line, id, surface)
-                                            : detail::quadric_crossings(line, id, surface);
+const Predicates& certified_predicates() {
+  static constexpr Predicates table{certified_crossings, certified_order, certified_order_with, detail::nearest_t};
+  return table;
 }
 
-std::weak_ordering order(Line& line, const CrossingView& a, const CrossingView& b) {
-  if (a.id == b.id) return a.root <=> b.root;
-  const double gap = a.t() - b.t();
-  const double error = a.found->error + b.found->error;
-  // The subtraction and the addition round by a relative u each; doubling the error covers both.
-  if (std::fabs(gap) > 2 * error) return by_value(gap);
-  const bool a_is_plane = a.surface->kind == SurfaceKind::plane;
-  const bool b_is_plane = b.surface->kind == SurfaceKind::plane;
-  if (a_is_plane && b_is_plane) return detail::exact_order(line, a, b);
-  if (a_is_plane) return detail::exact_order(line, a, b.t());
-  if (b_is_plane) return 0 <=> detail::exact_order(line, b, a.t());
-  return by_value(gap);
+const Predicates& exact_predicates() {
+  static constexpr Predicates table{always_exact_crossings, always_exact_order, always_exact_order_with, always_exact_t};
+  return table;
 }
 
-std::weak_ordering order(Line& line, const CrossingView& a, double t) {
-  if (std::isinf(t)) return t > 0 ? std::weak_ordering::less : std::weak_ordering::greater;
-  const double gap = a.t() - t;
-  if (std::fabs(gap) > 2 * a.found->error) return by_value(gap);
-  return a.surface->kind == SurfaceKind::plane ? detail::exact_order(line, a, t) : by_value(gap);
+const Predicates& uncertified_predicates() {
+  static constexpr Predicates table{detail::uncertified_crossings, uncertified_order, uncertified_order_with, uncertified_t};
+  return table;
 }
 
 }  // namespace csgcast

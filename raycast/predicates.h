@@ -6,33 +6,44 @@
 #include <cstdint>
 #include <optional>
 
+#include "raycast/detail/line_frame.h"
 #include "raycast/hit.h"
 #include "raycast/ray.h"
 #include "raycast/surface.h"
 
-// The three predicates that every structural decision passes through: the sign of a surface at a point, which crossings
-// exist, and the order of two crossings. Planes, and signs at points, are decided exactly. The roots of quadrics are
-// plain double, and what the double says is taken for exact when they are compared with others, so the order is a total
-// one.
+// The three predicates that every structural decision passes through: the sign of a surface at a point, which crossings exist, and the order
+// of two crossings. Each is what exact arithmetic says: floating point decides where its own error bound allows it, exact numbers elsewhere. The
+// bounds are derived in docs/accuracy.md.
 
 namespace csgcast {
 
 /// The line of one ray, as the predicates see it.
 struct Line {
+  Line(const Ray& r, const Frame& frame, SurfaceId from = {}, Sense side = Sense::positive)
+      : ray(r), in_frame(r, frame), departure(from), departure_side(side) {}
+
   Ray ray;
+  detail::LineFrame in_frame;
   SurfaceId departure;  ///< the surface that the ray starts on, exactly, by definition; or none
   Sense departure_side = Sense::positive;
-  std::uint64_t exact_calls = 0;  ///< decisions that needed exact arithmetic
+};
+
+/// Decisions that floating point left open, by kind.
+struct ExactCalls {
+  std::uint64_t existence = 0;
+  std::uint64_t order = 0;
+  std::uint64_t rounding = 0;  ///< of a reported t; decides no structure
+  std::uint64_t structural() const { return existence + order; }
 };
 
 /// What one line meets of one surface f: its crossings in ascending order and the sign of f before the first.
 ///
-/// A double root is no crossing. Where f vanishes along the whole line (a ray in a plane, a generator of a quadric)
-/// there is no crossing and the line is on the positive side. Of the surface that a ray departs from only what comes
-/// after the start is told: no crossing at t = 0.
+/// A double root is no crossing. Where f vanishes along the whole line (a ray in a plane, a generator of a quadric) there is no crossing and
+/// the line is on the positive side. Of the surface that a ray departs from only what comes after the start is told: no crossing at t = 0.
+/// Of a local surface (surface.h) only crossings in the frame's unit cube are told for certain: one that lies outside may be missing.
 struct LineCrossings {
-  std::array<double, 2> t{};
-  double error = 0;  ///< bound on |t - exact t| of planes; 0 for quadrics, whose t decide as they are
+  std::array<double, 2> tau{};  ///< in the line's frame (detail/line_frame.h)
+  double error = 0;             ///< bound on |tau - exact tau|, of both
   std::uint8_t count = 0;
   bool positive_before = true;
 
@@ -40,11 +51,8 @@ struct LineCrossings {
   bool positive_after(unsigned n) const { return positive_before != ((n & 1u) != 0); }
 };
 
-/// -1, 0 or 1: the sign of f(p), exact.
+/// -1, 0 or 1: the sign of f(p).
 int sign_at(const Surface& surface, Point p);
-
-/// Which crossings exist. `id` is the surface's own, to know a departure by.
-LineCrossings crossings(Line& line, SurfaceId id, const Surface& surface);
 
 /// A crossing with what the predicates need to know of it.
 struct CrossingView {
@@ -53,13 +61,26 @@ struct CrossingView {
   const LineCrossings* found;
   std::uint8_t root;
 
-  double t() const { return found->t[root]; }
+  double tau() const { return found->tau[root]; }
 };
 
-/// Which of two crossings of one line comes first.
-std::weak_ordering order(Line& line, const CrossingView& a, const CrossingView& b);
+/// The predicates of crossings. A caster works with one such table; every caller is the same for all.
+struct Predicates {
+  /// Which crossings exist. `id` is the surface's own, to know a departure by.
+  LineCrossings (*crossings)(const Line& line, SurfaceId id, const Surface& surface, ExactCalls& calls);
+  /// Which of two crossings of one line comes first.
+  std::weak_ordering (*order)(const Line& line, const CrossingView& a, const CrossingView& b, ExactCalls& calls);
+  /// Whether a crossing comes before, at or after t (infinities allowed).
+  std::weak_ordering (*order_with)(const Line& line, const CrossingView& a, double t, ExactCalls& calls);
+  /// The t to report.
+  double (*reported_t)(const Line& line, const CrossingView& crossing, ExactCalls& calls);
+};
 
-/// Whether a crossing comes before, at or after t (infinities allowed).
-std::weak_ordering order(Line& line, const CrossingView& a, double t);
+/// What exact arithmetic says, at nearly the price of floating point; t is the nearest double. The default.
+const Predicates& certified_predicates();
+/// The same answers from exact arithmetic alone: slow, to compare with.
+const Predicates& exact_predicates();
+/// Floating point as it comes, by the same formulas without their bounds: what certification costs is measured against it.
+const Predicates& uncertified_predicates();
 
 }  // namespace csgcast

@@ -94,6 +94,8 @@ class Scene {
   /// Resolved materials, without repeats.
   std::span<const Material> looks() const { return looks_; }
   const Material& look(LookId id) const { return looks_[id.index()]; }
+  /// The coordinates of the surfaces' floating-point forms.
+  const Frame& frame() const { return frame_; }
   /// Of the solid, rounded outward, without the margin of the nodes' boxes.
   const Box& bounds() const { return bounds_; }
   /// Of its bounded leaves, for a default camera of an unbounded solid.
@@ -113,6 +115,7 @@ class Scene {
   NodeId root_;
   Box bounds_;
   Box bounded_leaves_;
+  Frame frame_;
 };
 
 /// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has

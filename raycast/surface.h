@@ -6,6 +6,7 @@
 
 #include "csg/exact/quadric_form.h"
 #include "csg/vector.h"
+#include "raycast/frame.h"
 
 namespace csgcast {
 
@@ -13,26 +14,33 @@ enum class SurfaceKind : std::uint8_t { plane, quadric };
 
 /// One surface of the world, f(p) = 0: its canonical exact form, and floating-point forms of it that only ever filter.
 struct Surface {
+  using Coefficients = std::array<double, QuadricForm::term_count>;
+
   SurfaceKind kind = SurfaceKind::plane;
+  /// Every leaf that owns the surface is bounded: only what happens in the frame's unit cube matters of it.
+  bool is_local = true;
+  /// False if a coefficient underflowed beside the largest one: then the doubles decide nothing.
+  bool in_range = true;
   QuadricForm exact;  ///< coprime integers, first non-zero one positive
 
-  /// coefficient[i] = exact.coefficient[i] 2^-scale rounded to nearest, the largest near 1: relative error at most
-  /// 2^-53 each.
-  std::array<double, QuadricForm::term_count> coefficient{};
-  std::int64_t scale = 0;
-  bool in_range = true;  ///< false if a coefficient underflowed beside the largest: then the doubles decide nothing
+  /// In the world's coordinates and times a power of two: each coefficient rounded to nearest, the largest near 1.
+  Coefficients world{};
 
-  /// For quadrics: the same about `center`, f(center + q) 2^-center_scale; the centre lies near the leaf that brought
-  /// the surface.
-  Point center;
-  std::array<double, QuadricForm::term_count> centered{};
+  /// In the frame's coordinates about `center`, f(center + q) times a power of two, rounded likewise. The center, which is exact, lies near the
+  /// leaf that brought a quadric, and is the frame's own for a plane.
+  Coefficients local{};
+  /// What the rounding of `local` left over, rounded: local + local_low is off by a relative 2^-106.
+  Coefficients local_low{};
+  Vector center;
+  double second_degree = 0;  ///< sum of the magnitudes of local's second-degree coefficients
+  double first_degree = 0;   ///< of its first-degree ones
+  double constant = 0;       ///< of its constant
 };
 
-/// The floating-point forms of a canonical form. `center` should lie near the part of the surface that is seen; any
-/// finite point is right.
-Surface make_surface(QuadricForm canonical, Point center);
+/// The floating-point forms of a canonical form. `near` should lie near the part of the surface that is seen; any finite point is right.
+Surface make_surface(QuadricForm canonical, const Frame& frame, Point near, bool is_local);
 
 /// The gradient of the surface's form at p up to a positive factor, in plain double.
-Vector gradient(const Surface& surface, Point p);
+Vector gradient(const Surface& surface, const Frame& frame, Point p);
 
 }  // namespace csgcast

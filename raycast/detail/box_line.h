@@ -9,16 +9,15 @@
 
 namespace csgcast::detail {
 
-/// Whether the line may meet the box within [from, to]: never false where it does. For culling only.
+/// Whether the line may meet the box within the span: never false where it does. For culling only. Narrows the span to where it may.
 ///
-/// (side - o) / d rounds twice, so by a relative 2u + u² < 2^-51; the slack of 2^-40 also covers the rounding of the
-/// span's ends, which may be computed crossings.
-inline bool may_meet(const Box& box, const Ray& ray, double from, double to) {
+/// (side - o) / d rounds twice, so by a relative 2u + u² < 2^-51; the slack of 2^-40 also covers the rounding of the span's ends.
+inline bool may_meet(const Box& box, const Ray& ray, Span& span) {
   constexpr double slack = 0x1p-40;
   const Point o = ray.origin();
   const Vector d = ray.direction();
-  double near = from - slack * std::fabs(from);
-  double far = to + slack * std::fabs(to);
+  double near = span.from - slack * std::fabs(span.from);
+  double far = span.to + slack * std::fabs(span.to);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (d[axis] == 0) {
       if (o[axis] < box.lower[axis] || o[axis] > box.upper[axis]) return false;
@@ -30,6 +29,7 @@ inline bool may_meet(const Box& box, const Ray& ray, double from, double to) {
     near = std::max(near, t0 - slack * std::fabs(t0));
     far = std::min(far, t1 + slack * std::fabs(t1));
   }
+  span = {near, far};
   return near <= far;
 }
 

@@ -53,13 +53,14 @@ void Evaluator::enter(NodeId id, Span span, Want want) {
     return deliver();
   }
   ++box_tests_;
-  if (!may_meet(node.box, cache_.ray(), span.from, span.to)) {
+  Span reach = span;
+  if (!may_meet(node.box, cache_.ray(), reach)) {
     push_list();
     return deliver();
   }
   if (node.op == Node::Op::leaf) {
     ++leaf_tests_;
-    leaf_intervals(scene_.leaf(LeafId(node.first)), push_list());
+    leaf_intervals(scene_.leaf(LeafId(node.first)), reach, push_list());
     return deliver();
   }
   frames_.push_back({&node, 0, span, want});
@@ -101,21 +102,21 @@ bool Evaluator::decided(const Frame& frame) {
 }
 
 // The part of the span in which the next child can change the result.
-Span Evaluator::child_span(const Frame& frame) const {
+Span Evaluator::child_span(const Frame& frame) {
   if (frame.next <= 1) return frame.span;  // next has been advanced to the child being entered
   const IntervalList& so_far = lists_[list_count_ - 1];
   if (frame.node->op != Node::Op::unite) {
-    return {std::max(frame.span.from, so_far.front().entry.t), std::min(frame.span.to, so_far.back().exit.t)};
+    return {std::max(frame.span.from, cache_.earliest(so_far.front().entry)), std::min(frame.span.to, cache_.latest(so_far.back().exit))};
   }
   if (frame.want != Want::first) return frame.span;
   // Nothing beyond the first entry after the span's start can be the first hit of the union.
   for (const Interval& interval : so_far) {
-    if (interval.entry.t > frame.span.from) return {frame.span.from, std::min(frame.span.to, interval.entry.t)};
+    if (interval.entry.t > frame.span.from) return {frame.span.from, std::min(frame.span.to, cache_.latest(interval.entry))};
   }
   return frame.span;
 }
 
-void Evaluator::leaf_intervals(const Leaf& leaf, IntervalList& list) {
+void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list) {
   const auto by_order = [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); };
   list.push_back({line_start(), line_end()});
   for (const HalfSpace& half_space : scene_.half_spaces(leaf)) {
@@ -124,6 +125,10 @@ void Evaluator::leaf_intervals(const Leaf& leaf, IntervalList& list) {
     std::swap(list, scratch_);
     if (list.empty()) return;
   }
+  // Of a local surface what lies outside the frame's cube may be missing (predicates.h): whatever that makes is outside the leaf's box.
+  std::erase_if(list, [&](const Interval& interval) {
+    return cache_.earliest(interval.entry) > reach.to || cache_.latest(interval.exit) < reach.from;
+  });
 }
 
 // The runs of the line on the half-space's side, into half_space_.
@@ -133,7 +138,7 @@ void Evaluator::half_space_intervals(const HalfSpace& half_space) {
   Crossing from = line_start();
   for (unsigned n = 0; n <= found.count; ++n) {
     const Crossing to =
-        n < found.count ? Crossing{found.t[n], half_space.surface, static_cast<std::uint8_t>(n)} : line_end();
+        n < found.count ? cache_.crossing(half_space.surface, static_cast<std::uint8_t>(n)) : line_end();
     if (found.positive_after(n) == (half_space.sense == Sense::positive)) half_space_.push_back({from, to});
     from = to;
   }

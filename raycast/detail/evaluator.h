@@ -43,10 +43,10 @@ class Evaluator {
 
   void enter(NodeId id, Span span, Want want);
   void deliver();
-  Span child_span(const Frame& frame) const;
+  Span child_span(const Frame& frame);
   bool decided(const Frame& frame);
   void merge_into_parent(const Frame& parent);
-  void leaf_intervals(const Leaf& leaf, IntervalList& list);
+  void leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list);
   void half_space_intervals(const HalfSpace& half_space);
   IntervalList& push_list();
 

@@ -3,24 +3,29 @@
 
 namespace csgcast::detail {
 
-LineCache::LineCache(const Scene& scene)
-    : scene_(scene), line_{Ray({}, {0, 0, 1}), {}, Sense::positive, 0}, entries_(scene.surfaces().size()) {}
+LineCache::LineCache(const Scene& scene, const Predicates& predicates)
+    : scene_(scene), predicates_(predicates), line_(Ray({}, {0, 0, 1}), scene.frame()), entries_(scene.surfaces().size()) {}
 
 void LineCache::begin(const Ray& ray, SurfaceId departure, Sense side) {
-  line_.ray = ray;
-  line_.departure = departure;
-  line_.departure_side = side;
+  line_ = Line(ray, scene_.frame(), departure, side);
+  rays_flagged_ = rays_flagged();
+  calls_at_begin_ = exact_calls_.structural();
   ++ray_number_;
 }
 
 const LineCrossings& LineCache::found(SurfaceId id) {
   Entry& entry = entries_[id.index()];
   if (entry.ray_number != ray_number_) {
-    entry.crossings = crossings(line_, id, scene_.surface(id));
+    entry.crossings = predicates_.crossings(line_, id, scene_.surface(id), exact_calls_);
     entry.ray_number = ray_number_;
     ++surface_tests_;
   }
   return entry.crossings;
+}
+
+Crossing LineCache::polished(const Crossing& crossing) {
+  if (!crossing.surface.valid()) return crossing;
+  return {predicates_.reported_t(line_, view(crossing), exact_calls_), crossing.surface, crossing.root};
 }
 
 std::weak_ordering LineCache::order(const Crossing& a, const Crossing& b) {
@@ -31,14 +36,14 @@ std::weak_ordering LineCache::order(const Crossing& a, const Crossing& b) {
   }
   if (!b.surface.valid()) return order(a, b.t);
   if (!a.surface.valid()) return 0 <=> order(b, a.t);
-  return csgcast::order(line_, view(a), view(b));
+  return predicates_.order(line_, view(a), view(b), exact_calls_);
 }
 
 std::weak_ordering LineCache::order(const Crossing& a, double t) {
   if (!a.surface.valid()) {
     return a.t < t ? std::weak_ordering::less : a.t > t ? std::weak_ordering::greater : std::weak_ordering::equivalent;
   }
-  return csgcast::order(line_, view(a), t);
+  return predicates_.order_with(line_, view(a), t, exact_calls_);
 }
 
 LineCache::Rank LineCache::rank(SurfaceId id, const Crossing& at) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <compare>
 #include <optional>
 #include <vector>
@@ -15,16 +16,22 @@ namespace csgcast::detail {
 /// nothing per surface.
 class LineCache {
  public:
-  explicit LineCache(const Scene& scene);
+  LineCache(const Scene& scene, const Predicates& predicates);
 
   void begin(const Ray& ray, SurfaceId departure, Sense side);
   const Ray& ray() const { return line_.ray; }
-  /// How often a surface was met, and how often exact arithmetic decided, since the cache was made.
+  /// How often a surface was met, how often exact arithmetic decided, and for how many rays it had to, since the cache was made.
   std::uint64_t surface_tests() const { return surface_tests_; }
-  std::uint64_t exact_calls() const { return line_.exact_calls; }
+  const ExactCalls& exact_calls() const { return exact_calls_; }
+  std::uint64_t rays_flagged() const { return rays_flagged_ + (exact_calls_.structural() != calls_at_begin_ ? 1 : 0); }
 
   const LineCrossings& found(SurfaceId id);
-  Crossing crossing(SurfaceId id, std::uint8_t root) { return {found(id).t[root], id, root}; }
+  Crossing crossing(SurfaceId id, std::uint8_t root) { return {line_.in_frame.t(found(id).tau[root]), id, root}; }
+  /// The crossing with its t correctly rounded.
+  Crossing polished(const Crossing& crossing);
+  /// Numbers that no exact t of a crossing is below, or above; of an infinite end, itself. For culling.
+  double earliest(const Crossing& crossing) { return crossing.surface.valid() ? crossing.t - slack(crossing) : crossing.t; }
+  double latest(const Crossing& crossing) { return crossing.surface.valid() ? crossing.t + slack(crossing) : crossing.t; }
 
   /// Orders crossings that may be infinite ends (no surface, t = ±infinity).
   std::weak_ordering order(const Crossing& a, const Crossing& b);
@@ -45,8 +52,14 @@ class LineCache {
     return {crossing.surface, &scene_.surface(crossing.surface), &found(crossing.surface), crossing.root};
   }
 
+  double slack(const Crossing& crossing) { return 2 * found(crossing.surface).error * line_.in_frame.unit + 0x1p-50 * std::fabs(crossing.t); }
+
   const Scene& scene_;
+  const Predicates predicates_;
   Line line_;
+  ExactCalls exact_calls_;
+  std::uint64_t calls_at_begin_ = 0;
+  std::uint64_t rays_flagged_ = 0;
   std::vector<Entry> entries_;
   std::uint64_t ray_number_ = 0;
   std::uint64_t surface_tests_ = 0;

@@ -12,9 +12,11 @@ Neighbourhood::Neighbourhood(const Scene& scene, LineCache& cache) : scene_(scen
 
 void Neighbourhood::move_to(NodeId node, const Crossing& crossing) {
   crossing_ = crossing;
-  const double error = cache_.found(crossing.surface).error;
-  tree_.build(scene_, node,
-              [&](const Box& box) { return may_meet(box, cache_.ray(), crossing.t - error, crossing.t + error); });
+  const Span at{cache_.earliest(crossing), cache_.latest(crossing)};
+  tree_.build(scene_, node, [&](const Box& box) {
+    Span span = at;
+    return may_meet(box, cache_.ray(), span);
+  });
   positions_.clear();
   group_.clear();
   bases_.clear();

@@ -20,16 +20,6 @@ bool passes_through(const Solid& solid) {
          solid.kind() == Solid::Kind::part;
 }
 
-Point leaf_center(const Box& box) {
-  Point center;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double low = box.lower[axis];
-    const double high = box.upper[axis];
-    if (std::isfinite(low) && std::isfinite(high)) center[axis] = low + 0.5 * (high - low);
-  }
-  return is_finite(center) ? center : Point{};
-}
-
 std::vector<double> look_key(const Material& m) {
   return {m.color.r,    m.color.g,      m.color.b,      m.ambient,     m.diffuse,    m.specular,
           m.shininess,  m.reflection,   m.transmission, m.ior,         m.emission.r, m.emission.g,
@@ -58,7 +48,8 @@ Scene SceneCompiler::compile(const Solid& solid) {
   gather_regions();
   scene_.bounds_ = scene_.node(scene_.root_).box;
   widen_boxes();
-  scene_.surfaces_ = surfaces_.take();
+  scene_.frame_ = csgcast::Frame::around(scene_.bounded_leaves_);
+  scene_.surfaces_ = surfaces_.take(scene_.frame_);
   return std::move(scene_);
 }
 
@@ -182,7 +173,7 @@ NodeId SceneCompiler::add_leaf(const Solid& solid, const Context& context) {
   leaf.look = context.look;
   leaf.holds_nothing = context.below_cut;
   leaf.shows_cut = context.negative && !context.look_below_cut;
-  const bool has_inside = add_half_spaces(solid.shape(), moved, leaf, leaf_center(box));
+  const bool has_inside = add_half_spaces(solid.shape(), moved, leaf, box);
   if (!has_inside || box.is_null()) {
     scene_.half_spaces_.resize(leaf.first);
     return add_node(Node::Op::empty, {});
@@ -196,11 +187,11 @@ NodeId SceneCompiler::add_leaf(const Solid& solid, const Context& context) {
 
 // False if two of the half-spaces face each other on one surface: then the leaf has no inside.
 bool SceneCompiler::add_half_spaces(const LeafShape& shape, const ExactAffine* world_from_solid, Leaf& leaf,
-                                    Point center) {
+                                    const Box& box) {
   const FormMover mover(world_from_solid ? *world_from_solid : ExactAffine());
   const auto begin = static_cast<std::ptrdiff_t>(leaf.first);
   for (const QuadricForm& form : shape.forms) {
-    const HalfSpace half_space = surfaces_.half_space(world_from_solid ? mover.moved(form) : form, center);
+    const HalfSpace half_space = surfaces_.half_space(world_from_solid ? mover.moved(form) : form, box);
     const auto same = std::find_if(scene_.half_spaces_.begin() + begin, scene_.half_spaces_.end(),
                                    [&](const HalfSpace& other) { return other.surface == half_space.surface; });
     if (same == scene_.half_spaces_.end()) {

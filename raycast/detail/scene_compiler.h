@@ -51,7 +51,7 @@ class SceneCompiler {
   Context child_context(const Frame& frame);
   void add_body(NodeId node, const Context& context, std::uint32_t first_leaf);
   NodeId add_leaf(const Solid& solid, const Context& context);
-  bool add_half_spaces(const LeafShape& shape, const ExactAffine* world_from_solid, Leaf& leaf, Point center);
+  bool add_half_spaces(const LeafShape& shape, const ExactAffine* world_from_solid, Leaf& leaf, const Box& box);
   NodeId add_node(Node::Op op, std::span<const NodeId> children);
   NodeId add_union(std::vector<NodeId> children);
   NodeId add_subtract(std::span<const NodeId> children);

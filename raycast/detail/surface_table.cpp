@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/detail/surface_table.h"
 
+#include <cmath>
+#include <utility>
+
 namespace csgcast::detail {
 namespace {
 
@@ -13,20 +16,43 @@ std::size_t hash(const QuadricForm& form) {
   return h;
 }
 
+// A point of the box; 0 on the axes along which it is infinite.
+Point point_near(const Box& box) {
+  Point p;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double low = box.lower[axis];
+    const double high = box.upper[axis];
+    if (std::isfinite(low) && std::isfinite(high)) p[axis] = low + 0.5 * (high - low);
+  }
+  return is_finite(p) ? p : Point{};
+}
+
 }  // namespace
 
-HalfSpace SurfaceTable::half_space(const QuadricForm& f, Point center) {
+HalfSpace SurfaceTable::half_space(const QuadricForm& f, const Box& leaf) {
   CanonicalForm canonical_form = canonical(f);
   const Sense sense = canonical_form.flipped ? Sense::positive : Sense::negative;
   const std::size_t h = hash(canonical_form.form);
   const auto [first, last] = by_hash_.equal_range(h);
   for (auto it = first; it != last; ++it) {
-    if (surfaces_[it->second.index()].exact == canonical_form.form) return {it->second, sense};
+    Entry& known = entries_[it->second.index()];
+    if (known.form != canonical_form.form) continue;
+    known.is_local = known.is_local && leaf.is_finite();
+    return {it->second, sense};
   }
-  const SurfaceId id(static_cast<std::uint32_t>(surfaces_.size()));
-  surfaces_.push_back(make_surface(std::move(canonical_form.form), center));
+  const SurfaceId id(static_cast<std::uint32_t>(entries_.size()));
+  entries_.push_back({std::move(canonical_form.form), point_near(leaf), leaf.is_finite()});
   by_hash_.emplace(h, id);
   return {id, sense};
+}
+
+std::vector<Surface> SurfaceTable::take(const Frame& frame) {
+  std::vector<Surface> surfaces;
+  surfaces.reserve(entries_.size());
+  for (Entry& entry : entries_) surfaces.push_back(make_surface(std::move(entry.form), frame, entry.near, entry.is_local));
+  entries_.clear();
+  by_hash_.clear();
+  return surfaces;
 }
 
 }  // namespace csgcast::detail

@@ -10,17 +10,22 @@
 
 namespace csgcast::detail {
 
-/// The surfaces of a scene, one for each canonical form: proportional forms share an id, and the sign of the factor is
-/// the sense.
+/// The surfaces of a scene, one for each canonical form: proportional forms share an id, and the sign of the factor is the sense.
 class SurfaceTable {
  public:
-  /// The half-space f <= 0. `center` is near the leaf. Precondition: f is not constant.
-  HalfSpace half_space(const QuadricForm& f, Point center);
+  /// The half-space f <= 0 of a leaf with these bounds. Precondition: f is not constant.
+  HalfSpace half_space(const QuadricForm& f, const Box& leaf);
 
-  std::vector<Surface> take() { return std::move(surfaces_); }
+  /// All surfaces with their floating-point forms in a frame. Leaves the table empty.
+  std::vector<Surface> take(const Frame& frame);
 
  private:
-  std::vector<Surface> surfaces_;
+  struct Entry {
+    QuadricForm form;
+    Point near;     // a point of a leaf that owns the surface
+    bool is_local;  // all such leaves are bounded
+  };
+  std::vector<Entry> entries_;
   std::unordered_multimap<std::size_t, SurfaceId> by_hash_;
 };
 
