@@ -13,6 +13,8 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 #include "csg/error.h"
 #include "shade/camera.h"
@@ -132,7 +134,11 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   Progress progress(options.progress, tiles.size());
   tbb::enumerable_thread_specific<detail::TileRenderer> renderers([&] { return detail::TileRenderer(job); });
   const int threads = threads_of(options, tiles.size());
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  // More threads than cores need leave; fewer are the arena's own business.
+  std::optional<tbb::global_control> more;
+  if (threads > tbb::info::default_concurrency()) {
+    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_for(
