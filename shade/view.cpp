@@ -52,7 +52,7 @@ CameraDescription framing_camera(const Box& wanted, double aspect) {
   // A box without size still is somewhere: stay far enough from it for eye and centre to be told apart.
   const double place =
       std::max({std::fabs(camera.look_at.x), std::fabs(camera.look_at.y), std::fabs(camera.look_at.z)});
-  distance = std::max(distance, std::max(place * 0x1p-30, 0x1p-1000));
+  distance = std::max(distance, std::max(place * 0x1p-48, 0x1p-1000));
   camera.eye = camera.look_at - distance * forward;
   return camera;
 }
