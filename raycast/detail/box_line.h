@@ -11,8 +11,8 @@ namespace csgcast::detail {
 
 /// Whether the line may meet the box within [from, to]: never false where it does. For culling only.
 ///
-/// (side - o) / d rounds twice, so by a relative 2u + u² < 2^-51; the slack of 2^-40 also covers the rounding of the
-/// span's ends, which may be computed crossings.
+/// (side - o) / d rounds twice, so by a relative 2u + u² < 2^-51, which the slack of 2^-40 covers. Of a span that ends at
+/// computed crossings the errors must have been added.
 inline bool may_meet(const Box& box, const Ray& ray, double from, double to) {
   constexpr double slack = 0x1p-40;
   const Point o = ray.origin();

@@ -100,17 +100,26 @@ bool Evaluator::decided(const Frame& frame) {
   });
 }
 
-// The part of the span in which the next child can change the result.
-Span Evaluator::child_span(const Frame& frame) const {
+// A computed crossing of a plane near t = 0 may be off by many times itself.
+double Evaluator::error_of(const Crossing& crossing) {
+  return crossing.surface.valid() ? cache_.found(crossing.surface).error : 0;
+}
+
+// The part of the span in which the next child can change the result: computed ends are moved outward by their errors.
+Span Evaluator::child_span(const Frame& frame) {
   if (frame.next <= 1) return frame.span;  // next has been advanced to the child being entered
   const IntervalList& so_far = lists_[list_count_ - 1];
   if (frame.node->op != Node::Op::unite) {
-    return {std::max(frame.span.from, so_far.front().entry.t), std::min(frame.span.to, so_far.back().exit.t)};
+    const Crossing& entry = so_far.front().entry;
+    const Crossing& exit = so_far.back().exit;
+    return {std::max(frame.span.from, entry.t - error_of(entry)), std::min(frame.span.to, exit.t + error_of(exit))};
   }
   if (frame.want != Want::first) return frame.span;
   // Nothing beyond the first entry after the span's start can be the first hit of the union.
   for (const Interval& interval : so_far) {
-    if (interval.entry.t > frame.span.from) return {frame.span.from, std::min(frame.span.to, interval.entry.t)};
+    if (cache_.order(interval.entry, frame.span.from) > 0) {
+      return {frame.span.from, std::min(frame.span.to, interval.entry.t + error_of(interval.entry))};
+    }
   }
   return frame.span;
 }

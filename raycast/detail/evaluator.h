@@ -43,7 +43,8 @@ class Evaluator {
 
   void enter(NodeId id, Span span, Want want);
   void deliver();
-  Span child_span(const Frame& frame) const;
+  Span child_span(const Frame& frame);
+  double error_of(const Crossing& crossing);
   bool decided(const Frame& frame);
   void merge_into_parent(const Frame& parent);
   void leaf_intervals(const Leaf& leaf, IntervalList& list);
