@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "shade/camera.h"
-#include "tests/shade/pictures.h"
+#include "tests/shade/models.h"
 
 using namespace csgcast;
 using namespace csgcast::test;
@@ -94,6 +94,43 @@ TEST_CASE("no hollow shadows itself: a cavity lit from within shows the cosine i
   const Point light{0.5, 0.3, 1.4};
   Stage stage(hollow, {point_light(light)});
   require_no_specks(stage, camera_at({0, -1, 1}, {0, 0, 1}, 70), {0, 0, 1}, 2, light, 1e-11);
+}
+
+TEST_CASE("in the light of a lamp at the eye whatever is seen is lit: no solid, at any scale and place, has specks") {
+  const Solid cone = quadric({1, 1, -0.5, 0, 0, 0}, {0, 0, 0}, 0) & box({3, 3, 3}, Centering::centered);
+  const Solid saddle = quadric({1, -1, 0, 0, 0, 0}, {0, 0, 1}, 0) & sphere(1.6);
+  const Solid waist = hyperboloid(3, 1.4, 0.5);
+  const Solid lens = ellipsoid({1.5, 0.2, 1}) & at(sphere(1.2), {0.3, 0, 0});
+  const Transform turned = rotation(31, {1, 2, 3});
+  int seen = 0;
+  for (const Solid& solid : {angel(), flush(2), cone, saddle, waist, lens, angel() - waist}) {
+    for (const double scale : {1.0, 1e-6, 1e7}) {
+      for (const Vector& offset : {Vector{0, 0, 0}, Vector{1e4, -3e3, 2e2}}) {
+        const Solid moved = at(transformed(transformed(solid, turned), scaling({scale, scale, scale})), scale * offset);
+        const CameraDescription description = [&] {
+          CameraDescription camera = standard_view().camera;
+          const Vector away = camera.eye - camera.look_at;
+          camera.look_at = Point{} + scale * offset;
+          camera.eye = camera.look_at + scale * away;
+          return camera;
+        }();
+        Stage stage(painted(moved, matte()), {point_light(description.eye)});
+        stage.view.background = {-1, -1, -1};
+        const Camera camera(description, 48, 48);
+        for (int i = 0; i < 48 * 48; ++i) {
+          const Ray ray = camera.ray(i % 48 + 0.5, i / 48 + 0.5);
+          const Rgb color = stage.trace(ray.origin(), ray.direction());
+          if (color.r < 0) continue;
+          stage.caster.begin(ray);
+          const Attribution face = stage.caster.attribute(*stage.caster.first_hit());
+          CAPTURE(scale, offset.x, i);
+          REQUIRE(color.r == Approx(std::fabs(dot(face.normal, ray.direction()))).margin(1e-8));
+          ++seen;
+        }
+      }
+    }
+  }
+  REQUIRE(seen > 10000);
 }
 
 TEST_CASE("no ray is sent to a light that is behind the surface or adds nothing") {
