@@ -165,3 +165,11 @@ TEST_CASE("an opaque solid behind glass blocks the light") {
   REQUIRE(stage.trace({0, 0, 1}, {0, 0, -1}).r == 0);
   REQUIRE(stage.trace({2, 0, 1}, {0, 0, -1}).r == 1);
 }
+
+TEST_CASE("an opaque solid blocks the light also where it was cut with the colour of glass") {
+  const Solid dented =
+      painted(block({-2, -2, 3}, {2, 2, 5}), matte()) - painted(at(sphere(1), {0, 0, 3}), clear_glass(1.5));
+  Stage stage(floor_at_zero() + dented + painted(at(sphere(1), {9, 9, 9}), clear_glass(1.5)), {sun({0, 0, -1})});
+  REQUIRE(stage.trace({0, 0, 1}, {0, 0, -1}).r == 0);
+  REQUIRE(stage.trace({3, 0, 1}, {0, 0, -1}).r == 1);
+}
