@@ -45,11 +45,6 @@ int usage_error(const std::string& problem, const std::string& command) {
   return bad_input;
 }
 
-int machine_error(const std::string& sentence) {
-  fmt::print(stderr, "csgcast: error: {}\n", sentence);
-  return machine_failed;
-}
-
 bool is_command(std::span<const Command> commands, const std::string& word) {
   return std::any_of(commands.begin(), commands.end(), [&](const Command& c) { return c.line->get_name() == word; });
 }
@@ -95,10 +90,11 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "{}\n", error.what());
     return bad_input;
   } catch (const MachineError& error) {
-    return machine_error(error.what());
+    fmt::print(stderr, "{}\n", error.what());
   } catch (const std::bad_alloc&) {
-    return machine_error("out of memory; try a smaller picture or scene");
+    std::fputs("csgcast: error: out of memory; try a smaller picture or scene\n", stderr);
   } catch (const std::exception& error) {
-    return machine_error(fmt::format("something went wrong inside csgcast ({}); please report it", error.what()));
+    fmt::print(stderr, "csgcast: error: something went wrong inside csgcast ({}); please report it\n", error.what());
   }
+  return machine_failed;
 }

@@ -36,7 +36,8 @@ bool is_machine_failure(int error) {
 }
 
 std::string cannot_write(const std::string& path, int error) {
-  return fmt::format("cannot write {} ({}); make room or choose another place", path.empty() ? "standard output" : path,
+  return fmt::format("{}: error: cannot write {} ({}); make room or choose another place",
+                     path.empty() ? "csgcast" : path, path.empty() ? "standard output" : "this file",
                      std::strerror(error));
 }
 

@@ -11,7 +11,8 @@ class UsageError : public std::runtime_error {
   using runtime_error::runtime_error;
 };
 
-/// The machine failed, not the input: a full disk, an output that broke off. what() is a whole sentence. Exit code 1.
+/// The machine failed, not the input: a full disk, an output that broke off. what() is a whole line as Error's is. Exit
+/// code 1.
 class MachineError : public std::runtime_error {
   using runtime_error::runtime_error;
 };

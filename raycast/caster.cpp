@@ -18,8 +18,7 @@ CasterCounts& CasterCounts::operator+=(const CasterCounts& other) {
   return *this;
 }
 
-Caster::Caster(const Scene& scene, const Predicates& predicates)
-    : state_(std::make_unique<State>(scene, predicates)) {}
+Caster::Caster(const Scene& scene, const Predicates& predicates) : state_(std::make_unique<State>(scene, predicates)) {}
 Caster::~Caster() = default;
 Caster::Caster(Caster&&) noexcept = default;
 
@@ -63,7 +62,10 @@ bool Caster::any_hit(NodeId node, Span span) {
 
 CasterCounts Caster::counts() const {
   const State& state = *state_;
-  return {state.rays, state.cache.surface_tests(), state.evaluator.box_tests(), state.evaluator.leaf_tests(),
+  return {state.rays,
+          state.cache.surface_tests(),
+          state.evaluator.box_tests(),
+          state.evaluator.leaf_tests(),
           state.cache.exact_calls().structural(),
           state.cache.rays_flagged()};
 }

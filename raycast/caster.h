@@ -36,8 +36,8 @@ struct CasterCounts {
   std::uint64_t surface_tests = 0;  ///< crossings computed
   std::uint64_t box_tests = 0;
   std::uint64_t leaf_tests = 0;
-  std::uint64_t exact_calls = 0;  ///< decisions that floating point could not take
-  std::uint64_t rays_flagged = 0;   ///< rays with such a decision
+  std::uint64_t exact_calls = 0;   ///< decisions that floating point could not take
+  std::uint64_t rays_flagged = 0;  ///< rays with such a decision
   CasterCounts& operator+=(const CasterCounts& other);
 };
 

@@ -17,13 +17,16 @@ std::weak_ordering by_value(double gap) {
 
 std::optional<LineCrossings> filtered(const Line& line, SurfaceId id, const Surface& surface) {
   if (id == line.departure) return detail::filtered_departure(line, surface);
-  return surface.kind == SurfaceKind::plane ? detail::filtered_plane(line.in_frame, surface) : detail::filtered_quadric(line.in_frame, surface);
+  return surface.kind == SurfaceKind::plane ? detail::filtered_plane(line.in_frame, surface)
+                                            : detail::filtered_quadric(line.in_frame, surface);
 }
 
 // tau of a number; the unit is a power of two, so only the subtraction of the shift rounds.
 double tau_of(const Line& line, double t) { return t / line.in_frame.unit - line.in_frame.shift; }
 
-std::weak_ordering order_with_infinity(double t) { return t > 0 ? std::weak_ordering::less : std::weak_ordering::greater; }
+std::weak_ordering order_with_infinity(double t) {
+  return t > 0 ? std::weak_ordering::less : std::weak_ordering::greater;
+}
 
 LineCrossings certified_crossings(const Line& line, SurfaceId id, const Surface& surface, ExactCalls& calls) {
   if (const std::optional<LineCrossings> found = filtered(line, id, surface)) return *found;
@@ -54,7 +57,8 @@ LineCrossings always_exact_crossings(const Line& line, SurfaceId id, const Surfa
   return detail::exact_crossings(line, id, surface);
 }
 
-std::weak_ordering always_exact_order(const Line& line, const CrossingView& a, const CrossingView& b, ExactCalls& calls) {
+std::weak_ordering always_exact_order(const Line& line, const CrossingView& a, const CrossingView& b,
+                                      ExactCalls& calls) {
   ++calls.order;
   return detail::exact_root(line, a) <=> detail::exact_root(line, b);
 }
@@ -79,25 +83,30 @@ std::weak_ordering uncertified_order_with(const Line& line, const CrossingView& 
   return std::isinf(t) ? order_with_infinity(t) : by_value(a.tau() - tau_of(line, t));
 }
 
-double uncertified_t(const Line& line, const CrossingView& crossing, ExactCalls&) { return line.in_frame.t(crossing.tau()); }
+double uncertified_t(const Line& line, const CrossingView& crossing, ExactCalls&) {
+  return line.in_frame.t(crossing.tau());
+}
 
 }  // namespace
 
 int sign_at(const Surface& surface, Point p) {
   using Form = QuadricForm;
   const auto& c = surface.world;
-  const std::array<double, Form::term_count> term{
-      c[Form::xx] * p.x * p.x, c[Form::yy] * p.y * p.y, c[Form::zz] * p.z * p.z, c[Form::xy] * p.x * p.y, c[Form::xz] * p.x * p.z,
-      c[Form::yz] * p.y * p.z, c[Form::x] * p.x,        c[Form::y] * p.y,        c[Form::z] * p.z,        c[Form::one]};
+  const std::array<double, Form::term_count> term{c[Form::xx] * p.x * p.x, c[Form::yy] * p.y * p.y,
+                                                  c[Form::zz] * p.z * p.z, c[Form::xy] * p.x * p.y,
+                                                  c[Form::xz] * p.x * p.z, c[Form::yz] * p.y * p.z,
+                                                  c[Form::x] * p.x,        c[Form::y] * p.y,
+                                                  c[Form::z] * p.z,        c[Form::one]};
   double sum = 0;
   double magnitude = 0;
   for (const double t : term) {
     sum += t;
     magnitude += std::fabs(t);
   }
-  // A coefficient's rounding, two products and nine additions: (1 + u)^12 - 1 < 13 u; 16 u also covers the rounding of the bound. Out of
-  // the middle of the exponents under- and overflow may have touched a term.
-  if (surface.in_range && magnitude > 0x1p-900 && magnitude < 0x1p900 && std::fabs(sum) > 0x10p-53 * magnitude) return sum > 0 ? 1 : -1;
+  // A coefficient's rounding, two products and nine additions: (1 + u)^12 - 1 < 13 u; 16 u also covers the rounding of
+  // the bound. Out of the middle of the exponents under- and overflow may have touched a term.
+  if (surface.in_range && magnitude > 0x1p-900 && magnitude < 0x1p900 && std::fabs(sum) > 0x10p-53 * magnitude)
+    return sum > 0 ? 1 : -1;
   return surface.exact.at(p).sign();
 }
 
@@ -107,12 +116,14 @@ const Predicates& certified_predicates() {
 }
 
 const Predicates& exact_predicates() {
-  static constexpr Predicates table{always_exact_crossings, always_exact_order, always_exact_order_with, always_exact_t};
+  static constexpr Predicates table{always_exact_crossings, always_exact_order, always_exact_order_with,
+                                    always_exact_t};
   return table;
 }
 
 const Predicates& uncertified_predicates() {
-  static constexpr Predicates table{detail::uncertified_crossings, uncertified_order, uncertified_order_with, uncertified_t};
+  static constexpr Predicates table{detail::uncertified_crossings, uncertified_order, uncertified_order_with,
+                                    uncertified_t};
   return table;
 }
 

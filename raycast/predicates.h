@@ -11,9 +11,9 @@
 #include "raycast/ray.h"
 #include "raycast/surface.h"
 
-// The three predicates that every structural decision passes through: the sign of a surface at a point, which crossings exist, and the order
-// of two crossings. Each is what exact arithmetic says: floating point decides where its own error bound allows it, exact numbers elsewhere. The
-// bounds are derived in docs/accuracy.md.
+// The three predicates that every structural decision passes through: the sign of a surface at a point, which crossings
+// exist, and the order of two crossings. Each is what exact arithmetic says: floating point decides where its own error
+// bound allows it, exact numbers elsewhere. The bounds are derived in docs/accuracy.md.
 
 namespace csgcast {
 
@@ -38,9 +38,10 @@ struct ExactCalls {
 
 /// What one line meets of one surface f: its crossings in ascending order and the sign of f before the first.
 ///
-/// A double root is no crossing. Where f vanishes along the whole line (a ray in a plane, a generator of a quadric) there is no crossing and
-/// the line is on the positive side. Of the surface that a ray departs from only what comes after the start is told: no crossing at t = 0.
-/// Of a local surface (surface.h) only crossings in the frame's unit cube are told for certain: one that lies outside may be missing.
+/// A double root is no crossing. Where f vanishes along the whole line (a ray in a plane, a generator of a quadric)
+/// there is no crossing and the line is on the positive side. Of the surface that a ray departs from only what comes
+/// after the start is told: no crossing at t = 0. Of a local surface (surface.h) only crossings in the frame's unit
+/// cube are told for certain: one that lies outside may be missing.
 struct LineCrossings {
   std::array<double, 2> tau{};  ///< in the line's frame (detail/line_frame.h)
   double error = 0;             ///< bound on |tau - exact tau|, of both
@@ -80,7 +81,8 @@ struct Predicates {
 const Predicates& certified_predicates();
 /// The same answers from exact arithmetic alone: slow, to compare with.
 const Predicates& exact_predicates();
-/// Floating point as it comes, by the same formulas without their bounds: what certification costs is measured against it.
+/// Floating point as it comes, by the same formulas without their bounds: what certification costs is measured against
+/// it.
 const Predicates& uncertified_predicates();
 
 }  // namespace csgcast

@@ -11,8 +11,8 @@ namespace {
 using Form = QuadricForm;
 using Coefficients = Surface::Coefficients;
 
-// The form times a power of two, rounded to nearest, with the largest coefficient in [1/2, 1). False if one that is not zero came out as zero or
-// subnormal, which would void the relative bound.
+// The form times a power of two, rounded to nearest, with the largest coefficient in [1/2, 1). False if one that is not
+// zero came out as zero or subnormal, which would void the relative bound.
 bool round_scaled(const QuadricForm& form, Coefficients& rounded, Coefficients* left_over = nullptr) {
   std::int64_t scale = std::numeric_limits<std::int64_t>::min();
   for (const Dyadic& c : form.coefficient) {
@@ -61,10 +61,13 @@ Surface make_surface(QuadricForm canonical, const Frame& frame, Point near, bool
   surface.in_range = round_scaled(surface.exact, surface.world);
   ExactPoint origin;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (surface.kind == SurfaceKind::quadric) surface.center[axis] = std::ldexp(near[axis] - frame.center[axis], -frame.exponent);
+    if (surface.kind == SurfaceKind::quadric)
+      surface.center[axis] = std::ldexp(near[axis] - frame.center[axis], -frame.exponent);
     origin[axis] = Dyadic(frame.center[axis]) + Dyadic(surface.center[axis]).scaled(frame.exponent);
   }
-  surface.in_range = round_scaled(in_coordinates(surface.exact, origin, frame.exponent), surface.local, &surface.local_low) && surface.in_range;
+  surface.in_range =
+      round_scaled(in_coordinates(surface.exact, origin, frame.exponent), surface.local, &surface.local_low) &&
+      surface.in_range;
   surface.second_degree = magnitude_sum(surface.local, 0, Form::x);
   surface.first_degree = magnitude_sum(surface.local, Form::x, Form::one);
   surface.constant = std::fabs(surface.local[Form::one]);

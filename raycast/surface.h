@@ -26,8 +26,8 @@ struct Surface {
   /// In the world's coordinates and times a power of two: each coefficient rounded to nearest, the largest near 1.
   Coefficients world{};
 
-  /// In the frame's coordinates about `center`, f(center + q) times a power of two, rounded likewise. The center, which is exact, lies near the
-  /// leaf that brought a quadric, and is the frame's own for a plane.
+  /// In the frame's coordinates about `center`, f(center + q) times a power of two, rounded likewise. The center, which
+  /// is exact, lies near the leaf that brought a quadric, and is the frame's own for a plane.
   Coefficients local{};
   /// What the rounding of `local` left over, rounded: local + local_low is off by a relative 2^-106.
   Coefficients local_low{};
@@ -37,7 +37,8 @@ struct Surface {
   double constant = 0;       ///< of its constant
 };
 
-/// The floating-point forms of a canonical form. `near` should lie near the part of the surface that is seen; any finite point is right.
+/// The floating-point forms of a canonical form. `near` should lie near the part of the surface that is seen; any
+/// finite point is right.
 Surface make_surface(QuadricForm canonical, const Frame& frame, Point near, bool is_local);
 
 /// The gradient of the surface's form at p up to a positive factor, in plain double.

@@ -2,9 +2,10 @@
 #include "shade/camera.h"
 
 #include <cmath>
+#include <numbers>
+#include <string>
 
 #include "csg/error.h"
-#include "csg/transform.h"
 
 namespace csgcast {
 namespace {
@@ -49,7 +50,7 @@ Camera::Camera(const CameraDescription& description, int width, int height)
   forward_ = normalised(description.look_at - description.eye);
   right_ = right_of(forward_, description.up);
   up_ = cross(right_, forward_);
-  const double extent = parallel_ ? *description.height : 2 * std::tan(description.fov / 360 * std::acos(-1.0));
+  const double extent = parallel_ ? *description.height : 2 * std::tan(description.fov / 360 * std::numbers::pi);
   pixel_ = extent / height_;
 }
 

@@ -13,6 +13,8 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 #include "csg/error.h"
 #include "shade/camera.h"
@@ -89,22 +91,6 @@ class Progress {
 
 }  // namespace
 
-RenderReport& RenderReport::operator+=(const RenderReport& other) {
-  rays.primary += other.rays.primary;
-  rays.shadow += other.rays.shadow;
-  rays.reflection += other.rays.reflection;
-  rays.transmission += other.rays.transmission;
-  skipped.shadow_facing_away += other.skipped.shadow_facing_away;
-  skipped.shadow_without_effect += other.skipped.shadow_without_effect;
-  skipped.reflection_below_cutoff += other.skipped.reflection_below_cutoff;
-  skipped.transmission_below_cutoff += other.skipped.transmission_below_cutoff;
-  skipped.depth_limit += other.skipped.depth_limit;
-  total_reflections += other.total_reflections;
-  casts += other.casts;
-  seconds += other.seconds;
-  return *this;
-}
-
 FilmContent content(Mode mode) {
   switch (mode) {
     case Mode::shaded:
@@ -132,7 +118,11 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   Progress progress(options.progress, tiles.size());
   tbb::enumerable_thread_specific<detail::TileRenderer> renderers([&] { return detail::TileRenderer(job); });
   const int threads = threads_of(options, tiles.size());
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  // More threads than cores need leave; fewer are the arena's own business.
+  std::optional<tbb::global_control> more;
+  if (threads > tbb::info::default_concurrency()) {
+    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_for(

@@ -8,7 +8,7 @@ namespace csgcast {
 namespace {
 
 // More rays than this for one sample (mirrors that return more than they get): the rest is background.
-constexpr std::uint64_t most_rays_of_a_sample = 1u << 16;
+constexpr std::uint64_t most_rays_of_a_sample = 1u << 12;
 
 constexpr Rgb white{1, 1, 1};
 

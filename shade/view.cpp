@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "csg/error.h"
 #include "csg/transform.h"
@@ -47,12 +48,12 @@ CameraDescription framing_camera(const Box& wanted, double aspect) {
   camera.look_at = box.center();
   const Vector forward = normalised(Vector{-4, 5, -3.5});
   const Vector right = normalised(cross(forward, camera.up));
-  const double tan_y = std::tan(camera.fov / 360 * std::acos(-1.0)) / margin;
+  const double tan_y = std::tan(camera.fov / 360 * std::numbers::pi) / margin;
   double distance = framing_distance(box, forward, right, cross(right, forward), tan_y * aspect, tan_y);
   // A box without size still is somewhere: stay far enough from it for eye and centre to be told apart.
   const double place =
       std::max({std::fabs(camera.look_at.x), std::fabs(camera.look_at.y), std::fabs(camera.look_at.z)});
-  distance = std::max(distance, std::max(place * 0x1p-30, 0x1p-1000));
+  distance = std::max(distance, std::max(place * 0x1p-48, 0x1p-1000));
   camera.eye = camera.look_at - distance * forward;
   return camera;
 }

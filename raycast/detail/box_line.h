@@ -9,9 +9,11 @@
 
 namespace csgcast::detail {
 
-/// Whether the line may meet the box within the span: never false where it does. For culling only. Narrows the span to where it may.
+/// Whether the line may meet the box within the span: never false where it does. For culling only. Narrows the span to
+/// where it may.
 ///
-/// (side - o) / d rounds twice, so by a relative 2u + u² < 2^-51; the slack of 2^-40 also covers the rounding of the span's ends.
+/// (side - o) / d rounds twice, so by a relative 2u + u² < 2^-51; the slack of 2^-40 also covers the rounding of the
+/// span's ends.
 inline bool may_meet(const Box& box, const Ray& ray, Span& span) {
   constexpr double slack = 0x1p-40;
   const Point o = ray.origin();

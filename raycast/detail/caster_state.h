@@ -13,7 +13,8 @@ namespace csgcast {
 
 /// What a caster keeps between queries, so that they need not allocate.
 struct Caster::State {
-  State(const Scene& s, const Predicates& predicates) : scene(s), cache(s, predicates), evaluator(s, cache), neighbourhood(s, cache) {}
+  State(const Scene& s, const Predicates& predicates)
+      : scene(s), cache(s, predicates), evaluator(s, cache), neighbourhood(s, cache) {}
 
   /// The crossing of the surface that bounds the node where a merged list ends, by the tie rule.
   Crossing bounding(NodeId node, const Crossing& crossing);

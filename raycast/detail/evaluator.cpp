@@ -106,12 +106,14 @@ Span Evaluator::child_span(const Frame& frame) {
   if (frame.next <= 1) return frame.span;  // next has been advanced to the child being entered
   const IntervalList& so_far = lists_[list_count_ - 1];
   if (frame.node->op != Node::Op::unite) {
-    return {std::max(frame.span.from, cache_.earliest(so_far.front().entry)), std::min(frame.span.to, cache_.latest(so_far.back().exit))};
+    return {std::max(frame.span.from, cache_.earliest(so_far.front().entry)),
+            std::min(frame.span.to, cache_.latest(so_far.back().exit))};
   }
   if (frame.want != Want::first) return frame.span;
   // Nothing beyond the first entry after the span's start can be the first hit of the union.
   for (const Interval& interval : so_far) {
-    if (interval.entry.t > frame.span.from) return {frame.span.from, std::min(frame.span.to, cache_.latest(interval.entry))};
+    if (cache_.order(interval.entry, frame.span.from) > 0)
+      return {frame.span.from, std::min(frame.span.to, cache_.latest(interval.entry))};
   }
   return frame.span;
 }
@@ -125,7 +127,8 @@ void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list)
     std::swap(list, scratch_);
     if (list.empty()) return;
   }
-  // Of a local surface what lies outside the frame's cube may be missing (predicates.h): whatever that makes is outside the leaf's box.
+  // Of a local surface what lies outside the frame's cube may be missing (predicates.h): whatever that makes is outside
+  // the leaf's box.
   std::erase_if(list, [&](const Interval& interval) {
     return cache_.earliest(interval.entry) > reach.to || cache_.latest(interval.exit) < reach.from;
   });

@@ -56,11 +56,13 @@ Dyadic quotient(const Dyadic& a, const Dyadic& b, std::int64_t bits) {
 
 constexpr std::int64_t approximation_bits = 128;
 
-// The root to a relative 2^-120: p and the square root may cancel, so they are summed the other way round where they would.
+// The root to a relative 2^-120: p and the square root may cancel, so they are summed the other way round where they
+// would.
 Dyadic approximate(const ExactRoot& root, const ExactPolynomial& f) {
   const Dyadic radical = square_root(root.d, approximation_bits + 8);
   const Dyadic signed_radical = root.s < 0 ? -radical : root.s == 0 ? Dyadic() : radical;
-  if (root.s == 0 || root.p.sign() == 0 || root.p.sign() == root.s) return quotient(root.p + signed_radical, root.q, approximation_bits);
+  if (root.s == 0 || root.p.sign() == 0 || root.p.sign() == root.s)
+    return quotient(root.p + signed_radical, root.q, approximation_bits);
   // (p + r)(p - r) = p² - d, and for the roots of a t² + b t + c that is 4 a c.
   return quotient(Dyadic(2.0) * f.c, root.p - signed_radical, approximation_bits);
 }
@@ -89,8 +91,10 @@ ExactPolynomial::ExactPolynomial(const Line& line, SurfaceId id, const Surface& 
   const Dyadic dz(d.z);
   const Dyadic two(2.0);
   if (surface.kind == SurfaceKind::quadric) {
-    a = (k[Form::xx] * dx + k[Form::xy] * dy + k[Form::xz] * dz) * dx + (k[Form::yy] * dy + k[Form::yz] * dz) * dy + k[Form::zz] * dz * dz;
-    b = (two * k[Form::xx] * x + k[Form::xy] * y + k[Form::xz] * z) * dx + (two * k[Form::yy] * y + k[Form::xy] * x + k[Form::yz] * z) * dy +
+    a = (k[Form::xx] * dx + k[Form::xy] * dy + k[Form::xz] * dz) * dx + (k[Form::yy] * dy + k[Form::yz] * dz) * dy +
+        k[Form::zz] * dz * dz;
+    b = (two * k[Form::xx] * x + k[Form::xy] * y + k[Form::xz] * z) * dx +
+        (two * k[Form::yy] * y + k[Form::xy] * x + k[Form::yz] * z) * dy +
         (two * k[Form::zz] * z + k[Form::xz] * x + k[Form::yz] * y) * dz;
   }
   b += k[Form::x] * dx + k[Form::y] * dy + k[Form::z] * dz;
@@ -125,8 +129,8 @@ LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& sur
   const ExactPolynomial f(line, id, surface);
   LineCrossings found;
   if (id == line.departure) {
-    // f / t = b t + c: after the start f keeps the departure's side up to a crossing if that is not its side in the end. At a silhouette the
-    // crossing may come out before the start: then it is at the start.
+    // f / t = b t + c: after the start f keeps the departure's side up to a crossing if that is not its side in the
+    // end. At a silhouette the crossing may come out before the start: then it is at the start.
     const bool positive = line.departure_side == Sense::positive;
     found.positive_before = positive;
     if (surface.kind == SurfaceKind::plane || f.b.is_zero() || (f.b.sign() > 0) == positive) return found;

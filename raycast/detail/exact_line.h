@@ -8,8 +8,8 @@
 
 namespace csgcast::detail {
 
-/// f(o + t d) = a t² + b t + c, exact up to a positive factor. Of the surface that a line departs from f(o) is 0 by definition, and the crossing at
-/// the start is divided out: a t + b, as 0 t² + a t + b.
+/// f(o + t d) = a t² + b t + c, exact up to a positive factor. Of the surface that a line departs from f(o) is 0 by
+/// definition, and the crossing at the start is divided out: a t + b, as 0 t² + a t + b.
 struct ExactPolynomial {
   Dyadic a;
   Dyadic b;
@@ -18,7 +18,8 @@ struct ExactPolynomial {
   ExactPolynomial(const Line& line, SurfaceId id, const Surface& surface);
 };
 
-/// The last rung of the ladder: (p + s sqrt(d)) / q with integers (times powers of two) p, q, d >= 0 and s = -1, 0 or 1.
+/// The last rung of the ladder: (p + s sqrt(d)) / q with integers (times powers of two) p, q, d >= 0 and s = -1, 0
+/// or 1.
 struct ExactRoot {
   Dyadic p;
   Dyadic q;

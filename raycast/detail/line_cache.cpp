@@ -4,7 +4,10 @@
 namespace csgcast::detail {
 
 LineCache::LineCache(const Scene& scene, const Predicates& predicates)
-    : scene_(scene), predicates_(predicates), line_(Ray({}, {0, 0, 1}), scene.frame()), entries_(scene.surfaces().size()) {}
+    : scene_(scene),
+      predicates_(predicates),
+      line_(Ray({}, {0, 0, 1}), scene.frame()),
+      entries_(scene.surfaces().size()) {}
 
 void LineCache::begin(const Ray& ray, SurfaceId departure, Sense side) {
   line_ = Line(ray, scene_.frame(), departure, side);

@@ -20,7 +20,8 @@ class LineCache {
 
   void begin(const Ray& ray, SurfaceId departure, Sense side);
   const Ray& ray() const { return line_.ray; }
-  /// How often a surface was met, how often exact arithmetic decided, and for how many rays it had to, since the cache was made.
+  /// How often a surface was met, how often exact arithmetic decided, and for how many rays it had to, since the cache
+  /// was made.
   std::uint64_t surface_tests() const { return surface_tests_; }
   const ExactCalls& exact_calls() const { return exact_calls_; }
   std::uint64_t rays_flagged() const { return rays_flagged_ + (exact_calls_.structural() != calls_at_begin_ ? 1 : 0); }
@@ -30,8 +31,12 @@ class LineCache {
   /// The crossing with its t correctly rounded.
   Crossing polished(const Crossing& crossing);
   /// Numbers that no exact t of a crossing is below, or above; of an infinite end, itself. For culling.
-  double earliest(const Crossing& crossing) { return crossing.surface.valid() ? crossing.t - slack(crossing) : crossing.t; }
-  double latest(const Crossing& crossing) { return crossing.surface.valid() ? crossing.t + slack(crossing) : crossing.t; }
+  double earliest(const Crossing& crossing) {
+    return crossing.surface.valid() ? crossing.t - slack(crossing) : crossing.t;
+  }
+  double latest(const Crossing& crossing) {
+    return crossing.surface.valid() ? crossing.t + slack(crossing) : crossing.t;
+  }
 
   /// Orders crossings that may be infinite ends (no surface, t = ±infinity).
   std::weak_ordering order(const Crossing& a, const Crossing& b);
@@ -52,7 +57,9 @@ class LineCache {
     return {crossing.surface, &scene_.surface(crossing.surface), &found(crossing.surface), crossing.root};
   }
 
-  double slack(const Crossing& crossing) { return 2 * found(crossing.surface).error * line_.in_frame.unit + 0x1p-50 * std::fabs(crossing.t); }
+  double slack(const Crossing& crossing) {
+    return 2 * found(crossing.surface).error * line_.in_frame.unit + 0x1p-50 * std::fabs(crossing.t);
+  }
 
   const Scene& scene_;
   const Predicates predicates_;

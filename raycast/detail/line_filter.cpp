@@ -14,8 +14,9 @@ using Form = QuadricForm;
 constexpr double u = 0x1p-53;
 // The computed error bounds are sums of a few positive terms, rounded themselves: by less than this share.
 constexpr double rounding_of_bounds = 1 + 0x1p-40;
-// From anywhere on the line near its closest approach, the frame's unit cube is within |s| <= reach: the approach to a center in the cube is at most as far
-// from a point of the cube as the cube's diagonal, 2 sqrt(3), and |direction| >= 1.
+// From anywhere on the line near its closest approach, the frame's unit cube is within |s| <= reach: the approach to a
+// center in the cube is at most as far from a point of the cube as the cube's diagonal, 2 sqrt(3), and |direction|
+// >= 1.
 constexpr double reach = 4;
 
 double longest(Vector v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
@@ -40,7 +41,8 @@ struct Quadratic {
 Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
   const QuadricOnLine f = quadric_on_line(line, surface);
 
-  // q is off by the error of `near`, the rounding of the difference, of the product and of the sum: |origin d| <= 1.8 |start| on each axis.
+  // q is off by the error of `near`, the rounding of the difference, of the product and of the sum: |origin d| <= 1.8
+  // |start| on each axis.
   const double size = longest(f.q);
   const double e = longest(line.direction);
   const double off = (line.near_error + u * (3 * longest(f.start) + size)) * rounding_of_bounds;
@@ -49,8 +51,12 @@ Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
   // Seven roundings in a, eight in b, ten in c, each coefficient's own included; then what q's error does to b and c.
   const double error_a = 8 * u * bend * e * e;
   const double error_b = (9 * u * (bend * size + slope) + bend * off) * e;
-  const double error_c = 11 * u * ((bend * size + slope) * size + surface.constant) + (2 * bend * size + slope + bend * off) * off;
-  return {{f.a, error_a * rounding_of_bounds}, {f.b, error_b * rounding_of_bounds}, {f.c, error_c * rounding_of_bounds}, f.origin};
+  const double error_c =
+      11 * u * ((bend * size + slope) * size + surface.constant) + (2 * bend * size + slope + bend * off) * off;
+  return {{f.a, error_a * rounding_of_bounds},
+          {f.b, error_b * rounding_of_bounds},
+          {f.c, error_c * rounding_of_bounds},
+          f.origin};
 }
 
 LineCrossings none(bool positive) {
@@ -82,7 +88,8 @@ std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surfac
   LineCrossings found;
   if (2 * f.a.error < std::fabs(f.a.value)) {
     const double at_far = sum / f.a.value;
-    const double far_error = 2 * (sum_error + std::fabs(at_far) * f.a.error) / std::fabs(f.a.value) + u * std::fabs(at_far);
+    const double far_error =
+        2 * (sum_error + std::fabs(at_far) * f.a.error) / std::fabs(f.a.value) + u * std::fabs(at_far);
     const double largest = std::max(std::fabs(at_near), std::fabs(at_far)) + std::fabs(f.origin);
     found.tau = {f.origin + at_near, f.origin + at_far};
     if (at_near > at_far) std::swap(found.tau[0], found.tau[1]);
@@ -92,7 +99,8 @@ std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surfac
     return found;
   }
   // The sign of a is open: the far root is at least this far out, on one side or the other.
-  if (!surface.is_local || !((std::fabs(sum) - sum_error) > reach * f.a.most() * rounding_of_bounds)) return std::nullopt;
+  if (!surface.is_local || !((std::fabs(sum) - sum_error) > reach * f.a.most() * rounding_of_bounds))
+    return std::nullopt;
   found.tau[0] = f.origin + at_near;
   found.error = (near_error + 2 * u * (std::fabs(at_near) + std::fabs(f.origin))) * rounding_of_bounds;
   found.count = 1;
@@ -109,12 +117,15 @@ std::optional<LineCrossings> filtered_plane(const LineFrame& line, const Surface
   // A coefficient, a product and two additions each; the value has one addition more, and the error of `near`.
   const PlaneOnLine f = plane_on_line(line, plane);
   const Bounded slope{f.slope, 5 * u * plane.first_degree * e};
-  const Bounded value{f.value, (6 * u * (plane.first_degree * size + plane.constant) + plane.first_degree * line.near_error) * rounding_of_bounds};
+  const Bounded value{f.value,
+                      (6 * u * (plane.first_degree * size + plane.constant) + plane.first_degree * line.near_error) *
+                          rounding_of_bounds};
   if (2 * slope.error < std::fabs(slope.value)) {
     LineCrossings found;
     const double tau = -value.value / slope.value;
     found.tau[0] = tau;
-    found.error = (2 * (value.error + std::fabs(tau) * slope.error) / std::fabs(slope.value) + u * std::fabs(tau)) * rounding_of_bounds;
+    found.error = (2 * (value.error + std::fabs(tau) * slope.error) / std::fabs(slope.value) + u * std::fabs(tau)) *
+                  rounding_of_bounds;
     found.count = 1;
     found.positive_before = slope.value < 0;
     return found;
@@ -135,8 +146,8 @@ std::optional<LineCrossings> filtered_quadric(const LineFrame& line, const Surfa
   const Quadratic f = restrict_to_line(line, quadric);
   const double bb = f.b.value * f.b.value;
   const double ac = f.a.value * f.c.value;
-  const double d_error = 2 * std::fabs(f.b.value) * f.b.error + f.b.error * f.b.error + std::fabs(f.a.value) * f.c.error +
-                         f.a.error * f.c.most() + 3 * u * (bb + std::fabs(ac));
+  const double d_error = 2 * std::fabs(f.b.value) * f.b.error + f.b.error * f.b.error +
+                         std::fabs(f.a.value) * f.c.error + f.a.error * f.c.most() + 3 * u * (bb + std::fabs(ac));
   const Bounded discriminant{bb - ac, d_error * rounding_of_bounds};
   if (discriminant.is_certain()) {
     if (discriminant.value > 0) return two_roots(f, quadric, discriminant);
@@ -151,8 +162,8 @@ std::optional<LineCrossings> filtered_departure(const Line& line, const Surface&
   const bool positive = line.departure_side == Sense::positive;
   if (surface.kind == SurfaceKind::plane) return none(positive);
   if (!surface.in_range) return std::nullopt;
-  // c is 0 at the start by definition: f = t (a t + 2 b). On the way f has the sign of the departure's side at first and that of a in the end, so
-  // there is a crossing after the start exactly if these differ.
+  // c is 0 at the start by definition: f = t (a t + 2 b). On the way f has the sign of the departure's side at first
+  // and that of a in the end, so there is a crossing after the start exactly if these differ.
   const LineFrame& in_frame = line.in_frame;
   const Quadratic f = restrict_to_line(in_frame, surface);
   if (!f.a.is_certain()) return std::nullopt;
@@ -165,7 +176,8 @@ std::optional<LineCrossings> filtered_departure(const Line& line, const Surface&
   LineCrossings found = none(positive);
   found.tau[0] = other;
   const double ratio_error = 2 * (f.b.error + std::fabs(f.b.value / f.a.value) * f.a.error) / std::fabs(f.a.value);
-  found.error = (2 * ratio_error + 8 * u * (std::fabs(f.origin) + std::fabs(middle) + std::fabs(start))) * rounding_of_bounds;
+  found.error =
+      (2 * ratio_error + 8 * u * (std::fabs(f.origin) + std::fabs(middle) + std::fabs(start))) * rounding_of_bounds;
   found.count = 1;
   return found;
 }

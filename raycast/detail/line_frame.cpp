@@ -41,8 +41,8 @@ LineFrame::LineFrame(const Ray& ray, const Frame& frame) {
     near[axis] = at.high;
     near_low[axis] = at.low;
   }
-  // The three low parts are below u M each, M = |high| + 2 |shift|, and their two sums round by a relative u: 8 u² M covers them. Scaling into the frame may
-  // underflow: by less than 2^-1000.
+  // The three low parts are below u M each, M = |high| + 2 |shift|, and their two sums round by a relative u: 8 u² M
+  // covers them. Scaling into the frame may underflow: by less than 2^-1000.
   near_low_error = 0x8p-106 * (longest(high) + 2 * std::fabs(shift)) + 0x1p-1000;
   near_error = 0x1p-53 * longest(near) + near_low_error;
 }

@@ -6,12 +6,12 @@
 
 namespace csgcast::detail {
 
-/// A ray's line in a frame: q = near + tau direction with |direction| in [1, 2) on its longest axis, and `near` close to the frame's center wherever the
-/// ray starts. t = (shift + tau) unit.
+/// A ray's line in a frame: q = near + tau direction with |direction| in [1, 2) on its longest axis, and `near` close
+/// to the frame's center wherever the ray starts. t = (shift + tau) unit.
 ///
-/// `direction`, `shift` and `unit` are exact. `near` is the exact point at tau = 0 rounded: each coordinate is off by at most `near_error`, and
-/// near + near_low by at most `near_low_error`.
-/// Source of the exact sums and products: Dekker 1971, Ogita, Rump and Oishi 2005.
+/// `direction`, `shift` and `unit` are exact. `near` is the exact point at tau = 0 rounded: each coordinate is off by
+/// at most `near_error`, and near + near_low by at most `near_low_error`. Source of the exact sums and products: Dekker
+/// 1971, Ogita, Rump and Oishi 2005.
 struct LineFrame {
   Vector near;
   Vector near_low;
@@ -19,9 +19,9 @@ struct LineFrame {
   double near_error = 0;
   double near_low_error = 0;
   double shift = 0;
-  double unit = 1;            ///< a power of two
+  double unit = 1;  ///< a power of two
   double direction_squared = 1;
-  double inverse_squared = 1; ///< 1 / direction_squared
+  double inverse_squared = 1;  ///< 1 / direction_squared
 
   LineFrame() = default;
   LineFrame(const Ray& ray, const Frame& frame);

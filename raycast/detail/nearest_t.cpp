@@ -55,7 +55,8 @@ double slope_at(const LineFrame& line, const Surface& surface, const Point2& q) 
   return dot(gradient, line.direction);
 }
 
-// shift + tau + step rounded, if every number within `error` of it rounds the same; then times the unit, which is exact.
+// shift + tau + step rounded, if every number within `error` of it rounds the same; then times the unit, which is
+// exact.
 std::optional<double> rounded(const LineFrame& line, double tau, double step, double error) {
   const Twofold base = two_sum(line.shift, tau);
   const Twofold sum = two_sum(base.high, step);
@@ -81,15 +82,18 @@ std::optional<double> newton(const LineFrame& line, const CrossingView& crossing
   const double e = longest(line.direction);
   const double bend = surface.second_degree;
   const double steepness = 2 * bend * size + surface.first_degree;
-  // Two twofold sums and a product make q; up to ten products of three factors and ten sums make f, below 64 u² of the sum of magnitudes;
-  // taking the high part alone loses u of the value.
-  const double off = line.near_low_error + 16 * u * u * (longest(line.near) + longest(surface.center) + std::fabs(tau) * e);
-  const double value_error = 64 * u * u * ((bend * size + surface.first_degree) * size + surface.constant) + steepness * off;
+  // Two twofold sums and a product make q; up to ten products of three factors and ten sums make f, below 64 u² of the
+  // sum of magnitudes; taking the high part alone loses u of the value.
+  const double off =
+      line.near_low_error + 16 * u * u * (longest(line.near) + longest(surface.center) + std::fabs(tau) * e);
+  const double value_error =
+      64 * u * u * ((bend * size + surface.first_degree) * size + surface.constant) + steepness * off;
   // Relative errors of the slope and of the division, and the curvature that one Newton step leaves out.
   const double slope_error = 8 * u * steepness * e;
   if (!(4 * slope_error < std::fabs(slope))) return std::nullopt;
   const double curvature = bend * e * e * step * step;
-  const double error = 2 * (value_error + curvature + std::fabs(step) * slope_error + 4 * u * std::fabs(value.high)) / std::fabs(slope);
+  const double error =
+      2 * (value_error + curvature + std::fabs(step) * slope_error + 4 * u * std::fabs(value.high)) / std::fabs(slope);
   return rounded(line, tau, step, error);
 }
 

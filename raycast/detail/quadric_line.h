@@ -14,7 +14,8 @@ struct PlaneOnLine {
   double slope;
 };
 
-/// f = a s² + 2 b s + c with s = tau - origin, about the line's closest approach to the surface's center, where the least cancels.
+/// f = a s² + 2 b s + c with s = tau - origin, about the line's closest approach to the surface's center, where the
+/// least cancels.
 struct QuadricOnLine {
   double a;
   double b;
@@ -44,7 +45,12 @@ inline QuadricOnLine quadric_on_line(const LineFrame& line, const Surface& quadr
   const Vector q = start + origin * d;
   const Vector linear{k[Form::x], k[Form::y], k[Form::z]};
   const Vector image = times_matrix(d);
-  return {dot(d, image), dot(q, image) + 0.5 * dot(linear, d), dot(q, times_matrix(q)) + dot(linear, q) + k[Form::one], origin, start, q};
+  return {dot(d, image),
+          dot(q, image) + 0.5 * dot(linear, d),
+          dot(q, times_matrix(q)) + dot(linear, q) + k[Form::one],
+          origin,
+          start,
+          q};
 }
 
 }  // namespace csgcast::detail

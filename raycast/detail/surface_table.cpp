@@ -49,7 +49,8 @@ HalfSpace SurfaceTable::half_space(const QuadricForm& f, const Box& leaf) {
 std::vector<Surface> SurfaceTable::take(const Frame& frame) {
   std::vector<Surface> surfaces;
   surfaces.reserve(entries_.size());
-  for (Entry& entry : entries_) surfaces.push_back(make_surface(std::move(entry.form), frame, entry.near, entry.is_local));
+  for (Entry& entry : entries_)
+    surfaces.push_back(make_surface(std::move(entry.form), frame, entry.near, entry.is_local));
   entries_.clear();
   by_hash_.clear();
   return surfaces;

@@ -10,7 +10,8 @@
 
 namespace csgcast::detail {
 
-/// The surfaces of a scene, one for each canonical form: proportional forms share an id, and the sign of the factor is the sense.
+/// The surfaces of a scene, one for each canonical form: proportional forms share an id, and the sign of the factor is
+/// the sense.
 class SurfaceTable {
  public:
   /// The half-space f <= 0 of a leaf with these bounds. Precondition: f is not constant.

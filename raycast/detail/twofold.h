@@ -25,15 +25,16 @@ inline Twofold fast_two_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-/// a b exactly, barring overflow and underflow of the low part. The one place where a fused multiply-add is asked for, by name.
+/// a b exactly, barring overflow and underflow of the low part. The one place where a fused multiply-add is asked for,
+/// by name.
 inline Twofold two_product(double a, double b) {
   const double product = a * b;
   return {product, std::fma(a, b, -product)};
 }
 
-// Sums and products of twofold numbers. With u = 2^-53 the relative errors are below 3u² + 13u³ (sum), 7u² (product) and 2u² (by a double).
-// Source: Joldes, Muller and Popescu 2017, Tight and rigorous error bounds for basic building blocks of double-word arithmetic: AccurateDWPlusDW,
-// DWTimesDW1, DWTimesFP1.
+// Sums and products of twofold numbers. With u = 2^-53 the relative errors are below 3u² + 13u³ (sum), 7u² (product)
+// and 2u² (by a double). Source: Joldes, Muller and Popescu 2017, Tight and rigorous error bounds for basic building
+// blocks of double-word arithmetic: AccurateDWPlusDW, DWTimesDW1, DWTimesFP1.
 
 inline Twofold operator+(Twofold a, Twofold b) {
   const Twofold high = two_sum(a.high, b.high);

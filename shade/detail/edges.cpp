@@ -27,7 +27,7 @@ Rgb paper(const Sight& sight, Rgb color) {
   // The tint keeps the colour's hue at an even lightness.
   const double brightest = std::max({color.r, color.g, color.b, 1e-3});
   const Rgb hue = (1 / brightest) * color;
-  const double light = 0.55 + 0.4 * std::clamp(sight.facing, 0.0, 1.0);
+  const double light = 0.35 + 0.6 * std::clamp(sight.facing, 0.0, 1.0);
   constexpr double tint = 0.25;
   return light * Rgb{1 - tint + tint * hue.r, 1 - tint + tint * hue.g, 1 - tint + tint * hue.b};
 }

@@ -11,7 +11,7 @@ A pixel is compared if csgcast's picture of ids (the leaf that each ray hits) sh
 no shadow edge passes through them. Shadow edges come from a third picture by csgcast: the same solid, black but for a
 light so bright that whatever it reaches is white; a shadow edge passes where that picture is not all black or all white.
 Neither picture to be judged has a say in what is compared, and shadows that POV-Ray draws elsewhere count as differences.
-A pixel differs if a channel does by more than 2 of 255. Exits with 1 if that is more than 0.1 % on angel, die or flange.
+A pixel differs if a channel does by more than 2 of 255; the last column counts all that do, edges included. Exits with 1 if that is more than 0.1 % on angel, die or flange.
 """
 import dataclasses
 import os
@@ -112,21 +112,22 @@ def uniform_around(rows, x, y):
 
 
 def compare(ours, theirs, ids, lit):
-    """The number of pixels compared, that of those which differ, and a picture of them."""
-    compared = differing = 0
+    """How many pixels are compared, how many of these differ, how many differ anywhere; and a picture of those that do."""
+    compared = differing = anywhere = 0
     marks = []
     for y in range(SIZE):
         row = []
         for x in range(SIZE):
+            differs = max(abs(a - b) for a, b in zip(ours[y][x], theirs[y][x])) > TOLERANCE
+            anywhere += differs
             if not (uniform_around(ids, x, y) and uniform_around(lit, x, y)):
                 row.append((96, 96, 96))
                 continue
             compared += 1
-            differs = max(abs(a - b) for a, b in zip(ours[y][x], theirs[y][x])) > TOLERANCE
             differing += differs
             row.append((255, 255, 255) if differs else (0, 0, 0))
         marks.append(row)
-    return compared, differing, marks
+    return compared, differing, anywhere, marks
 
 
 def main(arguments):
@@ -135,17 +136,17 @@ def main(arguments):
     program, output = arguments[:2]
     os.makedirs(output, exist_ok=True)
     too_many = []
-    print(f"{'scene':10} {'compared':>10} {'differing':>10} {'share':>9}")
+    print(f"{'scene':10} {'compared':>10} {'differing':>10} {'share':>9} {'anywhere':>10}")
     for name in arguments[2:] or ["angel", "die", "flange", "flush", "sponge"]:
         picture = scenes.SCENES[name]()
         with tempfile.TemporaryDirectory() as folder:
             ours, theirs = draw_csgcast(program, picture, folder), draw_pov(picture, folder)
             ids = draw_csgcast(program, picture, folder, "id")
             lit = draw_csgcast(program, where_light_falls(picture), folder)
-        compared, differing, marks = compare(ours, theirs, ids, lit)
+        compared, differing, anywhere, marks = compare(ours, theirs, ids, lit)
         write_png(os.path.join(output, f"{name}-pair.png"), [a + b for a, b in zip(ours, theirs)])
         write_png(os.path.join(output, f"{name}-difference.png"), marks)
-        print(f"{name:10} {compared:10} {differing:10} {differing / compared:9.4%}", flush=True)
+        print(f"{name:10} {compared:10} {differing:10} {differing / compared:9.4%} {anywhere:10}", flush=True)
         if differing > compared * LARGEST_SHARE.get(name, 1):
             too_many.append(name)
     if too_many:

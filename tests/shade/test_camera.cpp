@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "csg/error.h"
 #include "shade/camera.h"
@@ -103,7 +104,7 @@ TEST_CASE("the default camera frames a box: all corners are in the picture, one 
   for (const double aspect : {0.5, 1.0, 2.5}) {
     const Box wanted{{1e3, -2, 5}, {1e3 + 4, 3, 6}};
     const CameraDescription description = framing_camera(wanted, aspect);
-    const double tan_y = std::tan(description.fov / 360 * std::acos(-1.0));
+    const double tan_y = std::tan(description.fov / 360 * std::numbers::pi);
     const Vector forward = normalised(description.look_at - description.eye);
     const Vector right = normalised(cross(forward, description.up));
     const Vector up = cross(right, forward);

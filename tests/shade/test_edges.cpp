@@ -51,10 +51,16 @@ TEST_CASE("touching bricks with faces in one plane have no line between them, a 
 }
 
 TEST_CASE("where a surface hides itself there is a line") {
-  // Two ends of one long cylinder, bent away by a cut: the nearer disc stands before the farther one's side.
-  const Solid cone = intersect({quadric({1, 1, -1, 0, 0, 0}, {0, 0, 0}, 0), box({8, 8, 8}, Centering::centered)});
-  const Film film = render(compile(cone), front_view(), picture(100, 100, Mode::edges));
-  REQUIRE(ink(film) > 100);
+  // A bowl, and in its left half the ball that fits it: left of the middle one sees the near side of the sphere, right
+  // of it the far side.
+  const Solid ball = sphere(4);
+  const Solid scene = (block({-5, 0, -5}, {5, 5, 5}) - ball) + (ball & halfspace({1, 0, 0}, 0));
+  const Film film = render(compile(scene), front_view(), picture(100, 100, Mode::edges));
+  for (int y = 20; y < 80; ++y) {
+    REQUIRE(is_ink(film, 49, y));
+    REQUIRE_FALSE(is_ink(film, 40, y));
+    REQUIRE_FALSE(is_ink(film, 60, y));
+  }
 }
 
 TEST_CASE("lines keep their width when samples are averaged") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <numbers>
 
 #include "shade/phong.h"
 #include "tests/shade/pictures.h"
@@ -67,7 +68,7 @@ TEST_CASE("a light at the very place it shines on has no direction") {
 }
 
 TEST_CASE("Snell's law: known angles, and total internal reflection beyond the critical one") {
-  const double in = std::acos(-1.0) / 6;  // sin = 1/2
+  const double in = std::numbers::pi / 6;  // sin = 1/2
   const Vector incoming{std::sin(in), 0, -std::cos(in)};
   const Vector denser = *refracted(incoming, up, 1 / 1.5);
   REQUIRE(denser.x == Approx(0.5 / 1.5).epsilon(1e-14));

@@ -44,6 +44,17 @@ TEST_CASE("a picture is the same bit for bit on any number of threads, in every 
   }
 }
 
+TEST_CASE("a picture does not depend on how the solid is written") {
+  const Solid ball = sphere(1.35);
+  const Solid cube = box({2, 2, 2}, Centering::centered);
+  const Solid bore = at(cylinder(4, 0.6, 0.6), {0, 0, -2});
+  const Film reference = draw((cube & ball) - bore, Mode::shaded);
+  REQUIRE(same_bits(draw(cube & ball & complement(bore), Mode::shaded), reference));
+  REQUIRE(same_bits(draw((cube - bore) & (ball - bore), Mode::shaded), reference));
+  REQUIRE(same_bits(draw(complement(complement(cube) + complement(ball) + bore), Mode::shaded), reference));
+  REQUIRE_FALSE(same_bits(draw(cube & ball, Mode::shaded), reference));
+}
+
 TEST_CASE("a pixel is the mean of its samples in linear light") {
   // A glowing half-space whose edge runs through the picture.
   Material glow = mirror(0);

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "shade/camera.h"
-#include "tests/shade/pictures.h"
+#include "tests/shade/models.h"
 
 using namespace csgcast;
 using namespace csgcast::test;
@@ -96,6 +96,43 @@ TEST_CASE("no hollow shadows itself: a cavity lit from within shows the cosine i
   require_no_specks(stage, camera_at({0, -1, 1}, {0, 0, 1}, 70), {0, 0, 1}, 2, light, 1e-11);
 }
 
+TEST_CASE("in the light of a lamp at the eye whatever is seen is lit: no solid, at any scale and place, has specks") {
+  const Solid cone = quadric({1, 1, -0.5, 0, 0, 0}, {0, 0, 0}, 0) & box({3, 3, 3}, Centering::centered);
+  const Solid saddle = quadric({1, -1, 0, 0, 0, 0}, {0, 0, 1}, 0) & sphere(1.6);
+  const Solid waist = hyperboloid(3, 1.4, 0.5);
+  const Solid lens = ellipsoid({1.5, 0.2, 1}) & at(sphere(1.2), {0.3, 0, 0});
+  const Transform turned = rotation(31, {1, 2, 3});
+  int seen = 0;
+  for (const Solid& solid : {angel(), flush(2), cone, saddle, waist, lens, angel() - waist}) {
+    for (const double scale : {1.0, 1e-6, 1e7}) {
+      for (const Vector& offset : {Vector{0, 0, 0}, Vector{1e4, -3e3, 2e2}}) {
+        const Solid moved = at(transformed(transformed(solid, turned), scaling({scale, scale, scale})), scale * offset);
+        const CameraDescription description = [&] {
+          CameraDescription camera = standard_view().camera;
+          const Vector away = camera.eye - camera.look_at;
+          camera.look_at = Point{} + scale * offset;
+          camera.eye = camera.look_at + scale * away;
+          return camera;
+        }();
+        Stage stage(painted(moved, matte()), {point_light(description.eye)});
+        stage.view.background = {-1, -1, -1};
+        const Camera camera(description, 48, 48);
+        for (int i = 0; i < 48 * 48; ++i) {
+          const Ray ray = camera.ray(i % 48 + 0.5, i / 48 + 0.5);
+          const Rgb color = stage.trace(ray.origin(), ray.direction());
+          if (color.r < 0) continue;
+          stage.caster.begin(ray);
+          const Attribution face = stage.caster.attribute(*stage.caster.first_hit());
+          CAPTURE(scale, offset.x, i);
+          REQUIRE(color.r == Approx(std::fabs(dot(face.normal, ray.direction()))).margin(1e-8));
+          ++seen;
+        }
+      }
+    }
+  }
+  REQUIRE(seen > 10000);
+}
+
 TEST_CASE("no ray is sent to a light that is behind the surface or adds nothing") {
   Stage away(floor_at_zero(), {sun({0, 0, 1})});
   away.trace({0, 0, 1}, {0, 0, -1});
@@ -127,4 +164,12 @@ TEST_CASE("an opaque solid behind glass blocks the light") {
   Stage stage(floor_at_zero() + pane + painted(block({-1, -1, 3}, {1, 1, 4}), matte()), {sun({0, 0, -1})});
   REQUIRE(stage.trace({0, 0, 1}, {0, 0, -1}).r == 0);
   REQUIRE(stage.trace({2, 0, 1}, {0, 0, -1}).r == 1);
+}
+
+TEST_CASE("an opaque solid blocks the light also where it was cut with the colour of glass") {
+  const Solid dented =
+      painted(block({-2, -2, 3}, {2, 2, 5}), matte()) - painted(at(sphere(1), {0, 0, 3}), clear_glass(1.5));
+  Stage stage(floor_at_zero() + dented + painted(at(sphere(1), {9, 9, 9}), clear_glass(1.5)), {sun({0, 0, -1})});
+  REQUIRE(stage.trace({0, 0, 1}, {0, 0, -1}).r == 0);
+  REQUIRE(stage.trace({3, 0, 1}, {0, 0, -1}).r == 1);
 }

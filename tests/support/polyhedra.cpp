@@ -21,7 +21,8 @@ Frame frame_about(Vector axis) {
 }
 
 double determinant(const Transform& t) {
-  return dot(Vector{t(0, 0), t(0, 1), t(0, 2)}, cross(Vector{t(1, 0), t(1, 1), t(1, 2)}, Vector{t(2, 0), t(2, 1), t(2, 2)}));
+  return dot(Vector{t(0, 0), t(0, 1), t(0, 2)},
+             cross(Vector{t(1, 0), t(1, 1), t(1, 2)}, Vector{t(2, 0), t(2, 1), t(2, 2)}));
 }
 
 double small_integer(RandomSolids& random, int limit) {

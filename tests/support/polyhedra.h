@@ -9,7 +9,8 @@
 
 namespace csgcast::test {
 
-/// Points whose convex hulls are hard in one way each. All are finite; unless said otherwise of size about 1 near the origin and not all in one plane.
+/// Points whose convex hulls are hard in one way each. All are finite; unless said otherwise of size about 1 near the
+/// origin and not all in one plane.
 using PointCloud = std::vector<Point>;
 
 /// On the unit sphere, to rounding: every point a corner.
@@ -26,7 +27,7 @@ PointCloud rough_grid_points(RandomSolids& random);
 PointCloud faceted_sphere_points(int facets);
 /// OpenSCAD's cylinder(h, r1, r2, $fn = facets), h being 2.
 PointCloud faceted_cylinder_points(int facets, double bottom_radius, double top_radius);
-/// The two tetrahedra that share a face with small integer corners: apexes[0] and apexes[1] lie on different sides of it.
+/// The corners of two tetrahedra on different sides of a face that they share; small integers.
 struct GluedPair {
   PointCloud first;
   PointCloud second;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "shade/report.h"
+
+namespace csgcast {
+
+RenderReport& RenderReport::operator+=(const RenderReport& other) {
+  rays.primary += other.rays.primary;
+  rays.shadow += other.rays.shadow;
+  rays.reflection += other.rays.reflection;
+  rays.transmission += other.rays.transmission;
+  skipped.shadow_facing_away += other.skipped.shadow_facing_away;
+  skipped.shadow_without_effect += other.skipped.shadow_without_effect;
+  skipped.reflection_below_cutoff += other.skipped.reflection_below_cutoff;
+  skipped.transmission_below_cutoff += other.skipped.transmission_below_cutoff;
+  skipped.depth_limit += other.skipped.depth_limit;
+  total_reflections += other.total_reflections;
+  casts += other.casts;
+  seconds += other.seconds;
+  return *this;
+}
+
+}  // namespace csgcast

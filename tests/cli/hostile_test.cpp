@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "tests/cli/hostile.h"
+
+#include <algorithm>
+
+#include "tests/support/catch.h"
+
+namespace {
+
+using namespace csgcast::test;
+
+// Two seconds for the program as users have it; sanitizers make it some ten times slower.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr double seconds_allowed = 30;
+#else
+constexpr double seconds_allowed = 2;
+#endif
+
+void check(const TemporaryFolder& folder, const Hostile& hostile, const std::vector<std::string>& arguments,
+           const std::string& message) {
+  const std::string old_output = "an older output";
+  folder.write("out.png", old_output);
+  const std::vector<std::string> names_before = folder.names();
+  const Outcome outcome = run(folder, arguments, hostile.run);
+  INFO("standard error: " << outcome.err.substr(0, 400));
+  CHECK(outcome.exit_code == hostile.exit_code);
+  CHECK(outcome.seconds < seconds_allowed);
+  CHECK(outcome.err.substr(0, message.size()) == message);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == (message.empty() ? 0 : 1));
+  CHECK((folder.read("out.png") == old_output) == (hostile.exit_code != 0));
+  CHECK(folder.names() == names_before);
+}
+
+void check_scenes(const std::vector<Hostile>& inputs) {
+  for (const Hostile& hostile : inputs) {
+    DYNAMIC_SECTION(hostile.name) {
+      const TemporaryFolder folder;
+      folder.write("scene.csg", hostile.text);
+      const std::vector<std::string> render{"render", "scene.csg", "-o", "out.png", "--size", "16x16"};
+      check(folder, hostile, hostile.arguments.empty() ? render : hostile.arguments,
+            hostile.message.empty() ? "" : "scene.csg:" + hostile.message);
+    }
+  }
+}
+
+TEST_CASE("a hostile text ends within two seconds, with its place, and leaves the old output alone") {
+  check_scenes(hostile_texts());
+}
+
+TEST_CASE("a hostile scene ends within two seconds, with its place, and leaves the old output alone") {
+  check_scenes(hostile_scenes());
+}
+
+TEST_CASE("hostile rays and points end within two seconds, with their place, and leave the old output alone") {
+  for (const Hostile& hostile : hostile_rows()) {
+    DYNAMIC_SECTION(hostile.name) {
+      const TemporaryFolder folder;
+      folder.write("scene.csg", "cube(1);");
+      folder.write("rows.csv", hostile.text);
+      const std::vector<std::string> rays{"intervals", "scene.csg", "--rays", "rows.csv", "-o", "out.png"};
+      check(folder, hostile, hostile.arguments.empty() ? rays : hostile.arguments,
+            hostile.message.empty() ? "" : "rows.csv:" + hostile.message);
+    }
+  }
+}
+
+TEST_CASE("a hostile command line ends within two seconds, says why, and leaves the old output alone") {
+  for (const Hostile& hostile : hostile_command_lines()) {
+    DYNAMIC_SECTION(hostile.name) {
+      const TemporaryFolder folder;
+      folder.write("scene.csg", hostile.text);
+      check(folder, hostile, hostile.arguments, hostile.message);
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "tests/cli/program.h"
+#include "tests/support/catch.h"
+
+namespace {
+
+using namespace csgcast::test;
+
+constexpr const char* scene = R"(camera(eye = [9, -9, 6], look_at = [0, 0, 0]);
+light(position = [5, 5, 9], intensity = 0.5);
+part("body", density = 2.5) {
+  difference() {
+    cube(2);
+    cylinder(h = 2, r = 0.5);
+  }
+}
+multmatrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, 0, 1]]) { sphere(r = 1); }
+color("red", 0.5) { sphere(r = 0.25); }
+)";
+
+/// The text up to what differs from run to run.
+std::string before_seconds(const std::string& text) { return text.substr(0, text.find("seconds")); }
+
+TEST_CASE("info tells what a scene holds") {
+  const TemporaryFolder folder;
+  folder.write("scene.csg", scene);
+  const Outcome outcome = run(folder, {"info", "scene.csg"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(before_seconds(outcome.out) == R"(file        scene.csg
+statements  10: camera 1, color 1, cube 1, cylinder 1, difference 1, light 1, multmatrix 1, part 1, sphere 2
+depth       3
+leaves      3: cube 1, cylinder 1, sphere 1
+surfaces    8: planes 6, quadrics 2; shared by several leaves 2
+tree        5 nodes after simplification, leaves included
+parts       1
+            body at 3:1  density 2.5  leaves 2
+regions     2 (runs of one part and look)
+looks       2, some let light through
+bounds      -0.25, -0.25, -0.25  to  2, 2, 2  (size 2.25, 2.25, 2.25)
+camera      eye 9, -9, 6  look at 0, 0, 0  up 0, 0, 1  field of view 30
+lights      1
+            at 5, 5, 9  color 1, 1, 1  intensity 0.5
+background  default
+settings    max_depth 5, min_contribution 0.001953125
+warnings    1
+)");
+  CHECK(outcome.err.substr(0, outcome.err.find(" warning:")) == "scene.csg:9:1:");
+}
+
+TEST_CASE("info as JSON") {
+  const TemporaryFolder folder;
+  folder.write("scene.csg", "part(\"a\\\\\\n\\\"b\") { halfspace(n = [0, 0, 1], d = 2); }");
+  const Outcome outcome = run(folder, {"info", "scene.csg", "--format", "json"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(before_seconds(outcome.out) == R"({
+  "file": "scene.csg",
+  "statements": 2,
+  "depth": 2,
+  "statements_by_name": {"halfspace": 1, "part": 1},
+  "leaves": 1,
+  "leaves_by_kind": {"halfspace": 1},
+  "surfaces": {"planes": 1, "quadrics": 0, "shared": 0},
+  "nodes": 1,
+  "parts": [
+    {"name": "a\\\u000a\"b", "density": 1, "place": "1:1", "leaves": 1}
+  ],
+  "regions": 1,
+  "looks": 1,
+  "transmits": false,
+  "bounds": {"empty": false, "unbounded": true, "lower": [null, null, null], "upper": [null, null, 2]},
+  "camera": null,
+  "lights": [],
+  "background": null,
+  "settings": {"max_depth": 5, "min_contribution": 0.001953125},
+  "warnings": [],
+  ")");
+}
+
+TEST_CASE("--quiet keeps warnings back, and info still counts them") {
+  const TemporaryFolder folder;
+  folder.write("scene.csg", scene);
+  const Outcome outcome = run(folder, {"info", "scene.csg", "--quiet"});
+  CHECK(outcome.err.empty());
+  CHECK(outcome.out.find("warnings    1\n") != std::string::npos);
+}
+
+TEST_CASE("--facets decides which curved solids become polyhedra") {
+  const TemporaryFolder folder;
+  folder.write("scene.csg",
+               "cylinder(h = 1, r = 1, $fn = 6);\ntranslate([5, 0, 0]) { cylinder(h = 1, r = 1, $fn = 20); }");
+  const auto surfaces = [&](const std::string& facets) {
+    const std::string out = run(folder, {"info", "scene.csg", "--facets", facets}).out;
+    const std::size_t start = out.find("planes");
+    return out.substr(start, out.find(';', start) - start);
+  };
+  // Both cylinders stand on the planes z = 0 and z = 1; each facet has a plane.
+  CHECK(surfaces("never") == "planes 2, quadrics 2");
+  CHECK(surfaces("auto") == "planes 8, quadrics 1");
+  CHECK(surfaces("always") == "planes 28, quadrics 0");
+}
+
+}  // namespace

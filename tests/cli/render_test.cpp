@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "tests/cli/program.h"
+#include "tests/support/catch.h"
+
+namespace {
+
+using namespace csgcast::test;
+
+constexpr const char* scene = R"(camera(eye = [0, 0, 9], look_at = [0, 0, 0], up = [0, 1, 0], height = 4);
+light(direction = [0, 0, -1]);
+cube(2, center = true);
+)";
+
+struct SceneFolder : TemporaryFolder {
+  explicit SceneFolder(std::string_view text = scene) { write("scene.csg", text); }
+};
+
+/// The number after `"key": `; -1 if there is none.
+double member(const std::string& json, const std::string& key) {
+  const std::size_t at = json.find('"' + key + "\": ");
+  return at == std::string::npos ? -1 : std::stod(json.substr(at + key.size() + 4));
+}
+
+/// Width and height as a PNG file's head says.
+std::pair<int, int> png_size(const std::string& png) {
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value * 256 + static_cast<unsigned char>(png[i]);
+    return value;
+  };
+  return png.size() < 24 ? std::pair(0, 0) : std::pair(number(16), number(20));
+}
+
+TEST_CASE("render writes each kind of picture that its ending asks for") {
+  using namespace std::string_literals;
+  const SceneFolder folder;
+  const auto head = [&](const std::string& name, std::size_t length) {
+    const Outcome outcome = run(folder, {"render", "scene.csg", "-o", name, "--size", "40x30"});
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.empty());
+    return folder.read(name).substr(0, length);
+  };
+  CHECK(head("a.png", 8) == "\x89PNG\r\n\x1a\n"s);
+  CHECK(head("a.jpg", 3) == "\xff\xd8\xff"s);
+  CHECK(head("a.JPEG", 3) == "\xff\xd8\xff"s);
+  CHECK(head("a.exr", 4) == "\x76\x2f\x31\x01"s);
+  CHECK(head("a.tif", 4) == "II*\0"s);
+  CHECK(png_size(folder.read("a.png")) == std::pair(40, 30));
+}
+
+TEST_CASE("a picture is 800x600 unless --size says otherwise, and the same on any number of threads") {
+  const SceneFolder folder;
+  run(folder, {"render", "scene.csg", "-o", "one.png", "--threads", "1"});
+  run(folder, {"render", "scene.csg", "-o", "three.png", "--threads", "3"});
+  CHECK(png_size(folder.read("one.png")) == std::pair(800, 600));
+  CHECK((folder.read("one.png") == folder.read("three.png")));
+}
+
+TEST_CASE("--stats counts rays by kind and times each stage") {
+  const SceneFolder folder;
+  const Outcome outcome = run(folder, {"render", "scene.csg", "-o", "a.png", "--size", "40x40", "--samples", "4",
+                                       "--stats", "a.json", "--threads", "1"});
+  CHECK(outcome.exit_code == 0);
+  const std::string stats = folder.read("a.json");
+  CHECK(member(stats, "width") == 40);
+  CHECK(member(stats, "height") == 40);
+  CHECK(member(stats, "threads") == 1);
+  CHECK(member(stats, "primary") == 4 * 40 * 40);
+  CHECK(member(stats, "shadow") == 4 * 20 * 20);  // the cube fills the middle quarter
+  CHECK(member(stats, "reflection") == 0);
+  CHECK(member(stats, "transmission") == 0);
+  CHECK(member(stats, "surface_tests") > 0);
+  for (const char* key :
+       {"box_tests", "leaf_tests", "exact_calls", "depth_limit", "read", "compile", "trace", "write"}) {
+    INFO(key);
+    CHECK(member(stats, key) >= 0);
+  }
+}
+
+TEST_CASE("each mode makes a picture of its own") {
+  const SceneFolder folder;
+  std::vector<std::string> pictures;
+  for (const std::string mode : {"shaded", "edges", "xray", "depth", "normal", "id"}) {
+    CHECK(run(folder, {"render", "scene.csg", "-o", "a.png", "--size", "40x30", "--mode", mode}).exit_code == 0);
+    for (const std::string& other : pictures) CHECK((folder.read("a.png") != other));
+    pictures.push_back(folder.read("a.png"));
+  }
+}
+
+TEST_CASE("--camera replaces the scene's camera, in either of OpenSCAD's forms") {
+  const SceneFolder folder;
+  const auto picture = [&](const std::string& camera) {
+    std::vector<std::string> arguments{"render", "scene.csg", "-o", "a.png", "--size", "40x30"};
+    if (!camera.empty()) arguments.insert(arguments.end(), {"--camera", camera});
+    CHECK(run(folder, arguments).exit_code == 0);
+    return folder.read("a.png");
+  };
+  const std::string own = picture("");
+  const std::string six = picture("0,-9,0,0,0,0");
+  CHECK((six != own));
+  CHECK((picture("0,0,0,90,0,0,9") != own));
+}
+
+TEST_CASE("--facets changes the picture of a solid with $fn") {
+  const SceneFolder folder("sphere(r = 1, $fn = 20);");
+  const auto picture = [&](const std::string& facets) {
+    run(folder, {"render", "scene.csg", "-o", "a.png", "--size", "40x30", "--facets", facets});
+    return folder.read("a.png");
+  };
+  CHECK((picture("auto") == picture("never")));
+  CHECK((picture("auto") != picture("always")));
+}
+
+TEST_CASE("--trace-pixel prints the rays of one pixel, with a picture or without") {
+  const SceneFolder folder;
+  const std::vector<std::string> pixel{"render", "scene.csg", "--size", "40x30", "--trace-pixel", "20,15"};
+  const Outcome alone = run(folder, pixel);
+  CHECK(alone.exit_code == 0);
+  CHECK(alone.out.substr(0, 12) == "pixel 20,15:");
+  CHECK(alone.out.find("primary") != std::string::npos);
+  std::vector<std::string> both = pixel;
+  both.insert(both.end(), {"-o", "a.png"});
+  CHECK(run(folder, both).out == alone.out);
+  CHECK(png_size(folder.read("a.png")) == std::pair(40, 30));
+}
+
+TEST_CASE("render needs somewhere to write to, and statistics a picture") {
+  const SceneFolder folder;
+  const Outcome nothing = run(folder, {"render", "scene.csg"});
+  CHECK(nothing.exit_code == 2);
+  CHECK(nothing.err == "csgcast: error: -o is needed (where shall the picture go?); see csgcast render --help\n");
+  const Outcome stats = run(folder, {"render", "scene.csg", "--trace-pixel", "1,1", "--stats", "a.json"});
+  CHECK(stats.exit_code == 2);
+  CHECK(stats.err ==
+        "csgcast: error: --stats needs -o (there is no picture to count rays of); see csgcast render --help\n");
+}
+
+TEST_CASE("what is wrong with the output is found before the scene is read") {
+  const SceneFolder folder("this is no scene");
+  CHECK(run(folder, {"render", "scene.csg", "-o", "a.stl"}).err ==
+        "a.stl: error: not a known kind of picture (its name ends in .stl); known endings are .png, .jpg, .jpeg, .tif, "
+        ".tiff, .exr\n");
+  CHECK(
+      run(folder, {"render", "scene.csg", "-o", "no/a.png"}).err ==
+      "no/a.png: error: cannot write this file (No such file or directory); choose a path in a folder that exists and "
+      "may be written\n");
+  CHECK(run(folder, {"render", "scene.csg", "-o", "a.png", "--stats", "no/a.json"}).exit_code == 2);
+  CHECK(folder.names() == std::vector<std::string>{"scene.csg"});
+}
+
+}  // namespace

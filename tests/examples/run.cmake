@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: MIT
+# Runs `program`; fails unless its output is the text of the file `expected`. list_parts gets a scene of the folder `scenes`.
+set(arguments)
+if(program MATCHES "/list_parts$")
+  set(arguments ${scenes}/flange.csg)
+endif()
+execute_process(COMMAND ${program} ${arguments} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${expected} text)
+if(NOT printed STREQUAL text)
+  message(FATAL_ERROR "printed:\n${printed}\nexpected:\n${text}")
+endif()
