@@ -35,7 +35,7 @@ void Caster::intervals(NodeId node, IntervalList& list, Span span) {
   state_->clip_and_bound(node, list, span);
 }
 
-std::optional<Hit> Caster::first_hit(NodeId node, Span span) {
+std::optional<Hit> Caster::first_hit(NodeId node, Span span, Rounding rounding) {
   State& state = *state_;
   // The first entry is right as soon as nothing nearer can come. A ray that starts inside has its first boundary at the
   // exit, which takes the whole list.
@@ -45,9 +45,9 @@ std::optional<Hit> Caster::first_hit(NodeId node, Span span) {
     clip(list, span, [&](const Crossing& a, double t) { return state.cache.order(a, t); });
     if (list.empty()) return std::nullopt;
     const Interval& first = list.front();
-    if (first.entry.surface.valid()) return Hit{state.bounding(node, first.entry), Passage::entry};
+    if (first.entry.surface.valid()) return Hit{state.bounding(node, first.entry, rounding), Passage::entry};
     if (want == detail::Want::all && first.exit.surface.valid())
-      return Hit{state.bounding(node, first.exit), Passage::exit};
+      return Hit{state.bounding(node, first.exit, rounding), Passage::exit};
   }
   return std::nullopt;
 }
@@ -70,16 +70,17 @@ CasterCounts Caster::counts() const {
           state.cache.rays_flagged()};
 }
 
-Crossing Caster::State::bounding(NodeId node, const Crossing& crossing) {
+Crossing Caster::State::bounding(NodeId node, const Crossing& crossing, Rounding rounding) {
   neighbourhood.move_to(node, crossing);
-  return neighbourhood.bounding_crossing();
+  const Crossing bounding = neighbourhood.bounding_crossing();
+  return rounding == Rounding::nearest ? cache.reported(bounding) : bounding;
 }
 
 void Caster::State::clip_and_bound(NodeId node, IntervalList& intervals, Span span) {
   clip(intervals, span, [&](const Crossing& a, double t) { return cache.order(a, t); });
   for (Interval& interval : intervals) {
-    if (interval.entry.surface.valid()) interval.entry = bounding(node, interval.entry);
-    if (interval.exit.surface.valid()) interval.exit = bounding(node, interval.exit);
+    if (interval.entry.surface.valid()) interval.entry = bounding(node, interval.entry, Rounding::nearest);
+    if (interval.exit.surface.valid()) interval.exit = bounding(node, interval.exit, Rounding::nearest);
   }
 }
 

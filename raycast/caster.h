@@ -30,6 +30,12 @@ struct Interface {
   NodeId node;  ///< the node whose boundary the hit is: ask attribute() with it
 };
 
+/// Which double stands for a crossing's exact t.
+enum class Rounding : std::uint8_t {
+  nearest,  ///< the nearest one
+  close,    ///< one that is a few roundings off: faster, for pictures
+};
+
 /// Work done, in counts that do not drift.
 struct CasterCounts {
   std::uint64_t rays = 0;
@@ -64,8 +70,10 @@ class Caster {
   void intervals(NodeId node, IntervalList& list, Span span = {});
 
   /// The first crossing of the boundary in the span, entry or exit; stops as early as it can.
-  std::optional<Hit> first_hit(Span span = {}) { return first_hit(scene().root(), span); }
-  std::optional<Hit> first_hit(NodeId node, Span span = {});
+  std::optional<Hit> first_hit(Span span = {}, Rounding rounding = Rounding::nearest) {
+    return first_hit(scene().root(), span, rounding);
+  }
+  std::optional<Hit> first_hit(NodeId node, Span span = {}, Rounding rounding = Rounding::nearest);
   /// True if the ray meets the inside of the solid anywhere in the open span. Cheaper than first_hit.
   bool any_hit(Span span = {}) { return any_hit(scene().root(), span); }
   bool any_hit(NodeId node, Span span = {});

@@ -106,7 +106,7 @@ void Caster::interfaces(std::vector<Interface>& list, Span span) {
                        region_of(scene, to),
                        into_opaque,
                        scene.layers()[layer].node};
-      change.hit.crossing = state.bounding(change.node, change.hit.crossing);
+      change.hit.crossing = state.bounding(change.node, change.hit.crossing, Rounding::close);
       list.push_back(change);
     }
     if (into_opaque) return;

@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/ray.h"
 
+#include <cmath>
+
 #include "csg/error.h"
 
 namespace csgcast {
+namespace {
+
+double longest(Vector v) { return std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z))); }
+
+}  // namespace
 
 Ray::Ray(Point origin, Vector direction) : origin_(origin), direction_(direction) {
   if (!is_finite(origin) || !is_finite(direction)) {
     throw Error(ErrorCode::bad_value, {}, "a ray needs six finite numbers",
                 "an infinite or undefined ray meets nothing", "check its origin and direction");
+  }
+  const double farthest = longest(as_vector(origin));
+  const double length = longest(direction);
+  if (farthest > 0x1p400 || length > 0x1p400 || (length > 0 && length < 0x1p-400)) {
+    throw Error(ErrorCode::limit, {}, "a ray's origin or direction is out of range",
+                "coordinates up to 2^400 and directions from 2^-400 to 2^400 work", "choose another unit of length");
   }
   if (direction == Vector{}) {
     throw Error(ErrorCode::bad_value, {}, "a ray's direction is zero", "it does not say where to look",

@@ -99,7 +99,7 @@ void Tracer::run(const Task& arriving) {
 std::optional<Tracer::Boundary> Tracer::next_boundary(const Task& task) {
   caster_.begin(task.ray, task.departure);
   if (scene_.transmits()) return next_interface(task);
-  const std::optional<Hit> hit = caster_.first_hit();
+  const std::optional<Hit> hit = caster_.first_hit({}, Rounding::close);
   if (!hit) return std::nullopt;
   const bool enters = hit->passage == Passage::entry;
   return Boundary{hit->crossing.t, hit->crossing.surface, caster_.attribute(*hit), {}, {}, enters, !enters};

@@ -17,7 +17,7 @@ struct Caster::State {
       : scene(s), cache(s, predicates), evaluator(s, cache), neighbourhood(s, cache) {}
 
   /// The crossing of the surface that bounds the node where a merged list ends, by the tie rule.
-  Crossing bounding(NodeId node, const Crossing& crossing);
+  Crossing bounding(NodeId node, const Crossing& crossing, Rounding rounding);
   /// Cuts an evaluated list to the span and settles which surfaces bound it.
   void clip_and_bound(NodeId node, IntervalList& intervals, Span span);
 

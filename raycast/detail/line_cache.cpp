@@ -26,7 +26,7 @@ const LineCrossings& LineCache::found(SurfaceId id) {
   return entry.crossings;
 }
 
-Crossing LineCache::polished(const Crossing& crossing) {
+Crossing LineCache::reported(const Crossing& crossing) {
   if (!crossing.surface.valid()) return crossing;
   return {predicates_.reported_t(line_, view(crossing), exact_calls_), crossing.surface, crossing.root};
 }

@@ -28,8 +28,8 @@ class LineCache {
 
   const LineCrossings& found(SurfaceId id);
   Crossing crossing(SurfaceId id, std::uint8_t root) { return {line_.in_frame.t(found(id).tau[root]), id, root}; }
-  /// The crossing with its t correctly rounded.
-  Crossing polished(const Crossing& crossing);
+  /// The crossing with the t to report.
+  Crossing reported(const Crossing& crossing);
   /// Numbers that no exact t of a crossing is below, or above; of an infinite end, itself. For culling.
   double earliest(const Crossing& crossing) {
     return crossing.surface.valid() ? crossing.t - slack(crossing) : crossing.t;

@@ -146,7 +146,8 @@ Crossing Neighbourhood::bounding_crossing() {
 // The same rule among the leaves that own the chosen surface: first single copies, then walks. LeafIds ascend in file
 // order.
 std::uint32_t Neighbourhood::first_slot_by_copies() {
-  std::vector<std::uint32_t> slots;
+  std::vector<std::uint32_t>& slots = owners_;
+  slots.clear();
   for (const Position& position : positions_) {
     if (position.group == chosen_) slots.push_back(position.slot);
   }

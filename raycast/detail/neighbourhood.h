@@ -64,6 +64,7 @@ class Neighbourhood {
   std::vector<Crossing> group_;        // the crossings that tie, ascending by surface
   std::vector<std::uint8_t> flipped_;  // by position
   std::vector<Truth> leaf_truth_;
+  std::vector<std::uint32_t> owners_;    // slots of the leaves that own the chosen surface
   std::uint32_t chosen_ = not_in_group;  // index into group_
   std::vector<Base> bases_;              // the states in which flipping the chosen surface changes the result
 };
