@@ -19,13 +19,13 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void remove_and_die(int signal_number) {
   if (armed.load()) ::unlink(unfinished.data());
-  std::signal(signal_number, SIG_DFL);
-  std::raise(signal_number);
+  static_cast<void>(std::signal(signal_number, SIG_DFL));
+  static_cast<void>(std::raise(signal_number));
 }
 
 void handle(int signal_number) {
   // What the parent had ignored, as nohup does, stays ignored.
-  if (std::signal(signal_number, remove_and_die) == SIG_IGN) std::signal(signal_number, SIG_IGN);
+  if (std::signal(signal_number, remove_and_die) == SIG_IGN) static_cast<void>(std::signal(signal_number, SIG_IGN));
 }
 
 }  // namespace

@@ -80,8 +80,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   // A reader that has gone and a file that may not grow come back as errors of write() instead.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   try {
     return run(argc, argv);
   } catch (const BrokenPipe&) {
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
   } catch (const MachineError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::bad_alloc&) {
-    std::fputs("csgcast: error: out of memory; try a smaller picture or scene\n", stderr);
+    fmt::print(stderr, "csgcast: error: out of memory; try a smaller picture or scene\n");
   } catch (const std::exception& error) {
     fmt::print(stderr, "csgcast: error: something went wrong inside csgcast ({}); please report it\n", error.what());
   }

@@ -46,7 +46,7 @@ void for_each_field(std::string_view line, Use&& use) {
 }  // namespace
 
 void NumberRows::Close::operator()(std::FILE* file) const {
-  if (file != stdin) std::fclose(file);
+  if (file != stdin) static_cast<void>(std::fclose(file));
 }
 
 NumberRows::NumberRows(const std::string& path, std::vector<std::string> names)

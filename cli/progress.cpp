@@ -29,13 +29,13 @@ void Progress::update(double done) {
   const double share = std::clamp(done, 0.0, 1.0);
   const int filled = static_cast<int>(share * bar_width);
   fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %", what_, "", filled, "", bar_width - filled, 100 * share);
-  std::fflush(stderr);
+  static_cast<void>(std::fflush(stderr));
 }
 
 Progress::~Progress() {
   if (!drawn_) return;
-  std::fputs("\r\033[K", stderr);
-  std::fflush(stderr);
+  fmt::print(stderr, "\r\033[K");
+  static_cast<void>(std::fflush(stderr));
 }
 
 }  // namespace csgcast::cli

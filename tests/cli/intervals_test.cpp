@@ -101,9 +101,10 @@ TEST_CASE("by part, a scene without parts is an error that says what to do") {
 }
 
 TEST_CASE("numbers read back to the same double") {
-  const SceneFolder folder("sphere(r = 0.1);");
-  CHECK(intervals(folder, {"--ray", "0,0,-1,0,0,0.1", "--format", "csv"}).out ==
-        columns + "0,9,11.000000000000002,0,0,-1,0,0,1,1:1,1:1,\n");
+  const SceneFolder folder("cube(0.1);");
+  CHECK(intervals(folder, {"--ray", "0,0.05,0.05,3,0,0", "--format", "csv"}).out ==
+        columns + "0,0,0.03333333333333333,-1,0,0,1,0,0,1:1,1:1,\n");
+  static_assert(0.03333333333333333 == 0.1 / 3);
 }
 
 TEST_CASE("a file of rays may have a header, blanks, blank lines, CR LF and a byte order mark") {
