@@ -118,14 +118,38 @@ Span Evaluator::child_span(const Frame& frame) {
   return frame.span;
 }
 
-void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list) {
-  const auto by_order = [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); };
-  list.push_back({line_start(), line_end()});
+// The run of the line inside all planes of a leaf; none if it is empty.
+std::optional<Interval> Evaluator::run_inside_planes(const Leaf& leaf) {
+  Interval run{line_start(), line_end()};
   for (const HalfSpace& half_space : scene_.half_spaces(leaf)) {
+    if (scene_.surface(half_space.surface).kind != SurfaceKind::plane) continue;
+    const LineCrossings& found = cache_.found(half_space.surface);
+    const bool wants_positive = half_space.sense == Sense::positive;
+    if (found.count == 0) {
+      if (found.positive_before != wants_positive) return std::nullopt;
+      continue;
+    }
+    const Crossing at = cache_.crossing(half_space.surface, 0);
+    if (found.positive_before == wants_positive) {
+      if (cache_.order(at, run.exit) < 0) run.exit = at;
+    } else if (cache_.order(at, run.entry) > 0) {
+      run.entry = at;
+    }
+    if (cache_.order(run.entry, run.exit) >= 0) return std::nullopt;
+  }
+  return run;
+}
+
+void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list) {
+  const std::optional<Interval> run = run_inside_planes(leaf);
+  if (!run) return;
+  list.push_back(*run);
+  for (const HalfSpace& half_space : scene_.half_spaces(leaf)) {
+    if (scene_.surface(half_space.surface).kind == SurfaceKind::plane) continue;
     half_space_intervals(half_space);
-    combine<Intersection>(list, half_space_, scratch_, by_order);
+    combine<Intersection>(list, half_space_, scratch_,
+                          [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); });
     std::swap(list, scratch_);
-    if (list.empty()) return;
   }
   // Of a local surface what lies outside the frame's cube may be missing (predicates.h): whatever that makes is outside
   // the leaf's box.
@@ -134,7 +158,7 @@ void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list)
   });
 }
 
-// The runs of the line on the half-space's side, into half_space_.
+// The runs of the line on a quadric half-space's side, into half_space_.
 void Evaluator::half_space_intervals(const HalfSpace& half_space) {
   const LineCrossings& found = cache_.found(half_space.surface);
   half_space_.clear();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "raycast/detail/line_cache.h"
@@ -46,6 +47,7 @@ class Evaluator {
   Span child_span(const Frame& frame);
   bool decided(const Frame& frame);
   void merge_into_parent(const Frame& parent);
+  std::optional<Interval> run_inside_planes(const Leaf& leaf);
   void leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list);
   void half_space_intervals(const HalfSpace& half_space);
   IntervalList& push_list();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "raycast/detail/box_line.h"
 
@@ -143,8 +144,22 @@ Crossing Neighbourhood::bounding_crossing() {
   return chosen_ == not_in_group ? crossing_ : group_[chosen_];
 }
 
-// The same rule among the leaves that own the chosen surface: first single copies, then walks. LeafIds ascend in file
-// order.
+// The first leaf whose copy of the chosen surface alone, flipped in a base state on one side, changes the result.
+std::optional<std::uint32_t> Neighbourhood::first_single_copy(Side side) {
+  for (const std::uint32_t slot : owners_) {
+    for (const Base& base : bases_) {
+      if (base.side != side) continue;
+      set_base(base);
+      const bool start = root_value(side);
+      flip_copy(chosen_, slot);
+      if (root_value(side) != start) return slot;
+    }
+  }
+  return std::nullopt;
+}
+
+// Among the leaves that own the chosen surface: single copies in the state inside the solid, then in the state outside,
+// then walks. LeafIds ascend in file order.
 std::uint32_t Neighbourhood::first_slot_by_copies() {
   std::vector<std::uint32_t>& slots = owners_;
   slots.clear();
@@ -154,19 +169,19 @@ std::uint32_t Neighbourhood::first_slot_by_copies() {
   std::sort(slots.begin(), slots.end(), [&](auto a, auto b) { return tree_.leaves()[a] < tree_.leaves()[b]; });
   slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
   if (slots.size() == 1) return slots.front();
+  const Side inside = (reset_flips(), root_value(after)) ? after : before;
+  if (const auto slot = first_single_copy(inside)) return *slot;
+  if (const auto slot = first_single_copy(inside == after ? before : after)) return *slot;
   std::size_t best = slots.size();
-  for (const bool walk : {false, true}) {
-    for (const Base& base : bases_) {
-      set_base(base);
-      const bool start = root_value(base.side);
-      for (std::size_t k = 0; k < best; ++k) {
-        if (!walk) set_base(base);
-        flip_copy(chosen_, slots[k]);
-        if (root_value(base.side) != start) best = k;
-      }
+  for (const Base& base : bases_) {
+    set_base(base);
+    const bool start = root_value(base.side);
+    for (std::size_t k = 0; k < best; ++k) {
+      flip_copy(chosen_, slots[k]);
+      if (root_value(base.side) != start) best = k;
     }
-    if (best < slots.size()) return slots[best];
   }
+  if (best < slots.size()) return slots[best];
   return slots.front();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "raycast/detail/line_cache.h"
@@ -54,6 +55,7 @@ class Neighbourhood {
   bool chosen_by_single_flip();
   void chosen_by_walk();
   std::uint32_t first_slot_by_copies();
+  std::optional<std::uint32_t> first_single_copy(Side side);
   void set_base(const Base& base);
 
   const Scene& scene_;

@@ -16,15 +16,15 @@ std::size_t hash(const QuadricForm& form) {
   return h;
 }
 
-// A point of the box; 0 on the axes along which it is infinite.
-Point point_near(const Box& box) {
-  Point p;
+// The middle of the box; the frame's center on the axes along which it is infinite.
+Point point_near(const Box& box, const Frame& frame) {
+  Point p = frame.center;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = box.lower[axis];
     const double high = box.upper[axis];
     if (std::isfinite(low) && std::isfinite(high)) p[axis] = low + 0.5 * (high - low);
   }
-  return is_finite(p) ? p : Point{};
+  return is_finite(p) ? p : frame.center;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ HalfSpace SurfaceTable::half_space(const QuadricForm& f, const Box& leaf) {
     return {it->second, sense};
   }
   const SurfaceId id(static_cast<std::uint32_t>(entries_.size()));
-  entries_.push_back({std::move(canonical_form.form), point_near(leaf), leaf.is_finite()});
+  entries_.push_back({std::move(canonical_form.form), leaf, leaf.is_finite()});
   by_hash_.emplace(h, id);
   return {id, sense};
 }
@@ -50,7 +50,7 @@ std::vector<Surface> SurfaceTable::take(const Frame& frame) {
   std::vector<Surface> surfaces;
   surfaces.reserve(entries_.size());
   for (Entry& entry : entries_)
-    surfaces.push_back(make_surface(std::move(entry.form), frame, entry.near, entry.is_local));
+    surfaces.push_back(make_surface(std::move(entry.form), frame, point_near(entry.leaf, frame), entry.is_local));
   entries_.clear();
   by_hash_.clear();
   return surfaces;

@@ -23,7 +23,7 @@ class SurfaceTable {
  private:
   struct Entry {
     QuadricForm form;
-    Point near;     // a point of a leaf that owns the surface
+    Box leaf;       // of one leaf that owns the surface
     bool is_local;  // all such leaves are bounded
   };
   std::vector<Entry> entries_;

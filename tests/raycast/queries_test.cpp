@@ -45,6 +45,14 @@ TEST_CASE("where leaves coincide the first in file order owns the face") {
   CHECK(same.red({1.5, 0.5, 3}, {0, 0, -1}) == 0.5);
 }
 
+TEST_CASE("an inlay that is flush with what it is set into shows itself") {
+  const Solid block = painted(box({2, 2, 1}), 0.25);
+  const Solid inlay = at(box({1, 1, 0.5}), {0.5, 0.5, 0.5});
+  Scenery scenery((block - inlay) + painted(inlay, 0.5));
+  CHECK(scenery.red({1, 1, 3}, {0, 0, -1}) == 0.5);
+  CHECK(scenery.red({0.25, 1, 3}, {0, 0, -1}) == 0.25);
+}
+
 TEST_CASE("a cut face shows the look set below the subtraction, else that of what was cut") {
   const Solid block = painted(box({2, 2, 2}), 0.25);
   const Solid bore = at(cylinder(4, 0.5, 0.5), {1, 1, 1});

@@ -104,7 +104,23 @@ class Definition {
     return value(flips) != was;
   }
 
-  // The rule of docs/architecture.md, once for surfaces and once for the leaves that own the chosen one.
+  enum class Walk { no, yes };
+
+  // The first leaf whose own copy of a surface, flipped alone or after those of all leaves before it, changes the
+  // value.
+  LeafId first_leaf(const std::vector<bool>& state, const std::vector<Flip>& base, SurfaceId surface, Walk walk) {
+    positive_ = state;
+    const bool start = value(base);
+    std::vector<Flip> flips = base;
+    for (std::uint32_t i = 0; i < scene_.leaves().size(); ++i) {
+      if (walk == Walk::no) flips = base;
+      flips.push_back({surface, LeafId(i)});
+      if (value(flips) != start) return LeafId(i);
+    }
+    return {};
+  }
+
+  // The rule of docs/answer.md, once for surfaces and once for the leaves that own the chosen one.
   DefinedEnd bounding_end(const mpq_class& t, std::vector<SurfaceId> group, const std::vector<bool>& before,
                           const std::vector<bool>& after) {
     std::sort(group.begin(), group.end());
@@ -137,22 +153,17 @@ class Definition {
         flips.push_back({id, {}});
       }
     }
+    positive_ = after;
+    const auto* inside = value({}) ? &after : &before;
     LeafId leaf;
-    for (const bool walk : {false, true}) {
+    for (const auto* side : {inside, inside == &after ? &before : &after}) {
       for (const Base& base : bases) {
-        std::vector<Flip> flips = base.flips;
-        positive_ = *base.state;
-        const bool start = value(flips);
-        for (std::uint32_t i = 0; i < scene_.leaves().size(); ++i) {
-          if (!walk) flips = base.flips;
-          flips.push_back({chosen, LeafId(i)});
-          if (value(flips) != start) {
-            leaf = std::min(leaf, LeafId(i));
-            break;
-          }
-        }
+        if (base.state == side) leaf = std::min(leaf, first_leaf(*base.state, base.flips, chosen, Walk::no));
       }
       if (leaf.valid()) break;
+    }
+    if (!leaf.valid()) {
+      for (const Base& base : bases) leaf = std::min(leaf, first_leaf(*base.state, base.flips, chosen, Walk::yes));
     }
     return {t, chosen, leaf};
   }
