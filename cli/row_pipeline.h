@@ -7,7 +7,6 @@
 #include <tbb/task_arena.h>
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -32,30 +31,34 @@ void answer_rows(const RowSource& source, Output& output, int threads, MakeWorke
     std::vector<NumberRow> rows;
     std::string text;
   };
-  using BatchPointer = std::shared_ptr<Batch>;
+  // At most as many batches are under way as the ring has places, and they are written in order: the next place is
+  // always free. The ring owns them because a pipeline that ends early forgets what is in it.
+  std::vector<Batch> ring(static_cast<std::size_t>(2 * threads));
+  std::size_t batch_count = 0;
   tbb::enumerable_thread_specific<std::invoke_result_t<MakeWorker&>> workers(make_worker);
 
-  const auto read = [&](tbb::flow_control& control) -> BatchPointer {
-    auto batch = std::make_shared<Batch>();
+  const auto read = [&](tbb::flow_control& control) -> Batch* {
+    Batch& batch = ring[batch_count++ % ring.size()];
+    batch.rows.clear();
+    batch.text.clear();
     NumberRow row;
-    while (batch->rows.size() < batch_rows && source(row)) batch->rows.push_back(row);
-    if (batch->rows.empty()) control.stop();
-    return batch;
+    while (batch.rows.size() < batch_rows && source(row)) batch.rows.push_back(row);
+    if (batch.rows.empty()) control.stop();
+    return &batch;
   };
-  const auto answer = [&](const BatchPointer& batch) {
+  const auto answer = [&](Batch* batch) {
     auto& worker = workers.local();
     for (const NumberRow& row : batch->rows) worker(row, batch->text);
     return batch;
   };
-  const auto write = [&](const BatchPointer& batch) { output.write(batch->text); };
+  const auto write = [&](const Batch* batch) { output.write(batch->text); };
 
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   arena.execute([&] {
-    tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads),
-                           tbb::make_filter<void, BatchPointer>(tbb::filter_mode::serial_in_order, read) &
-                               tbb::make_filter<BatchPointer, BatchPointer>(tbb::filter_mode::parallel, answer) &
-                               tbb::make_filter<BatchPointer, void>(tbb::filter_mode::serial_in_order, write));
+    tbb::parallel_pipeline(ring.size(), tbb::make_filter<void, Batch*>(tbb::filter_mode::serial_in_order, read) &
+                                            tbb::make_filter<Batch*, Batch*>(tbb::filter_mode::parallel, answer) &
+                                            tbb::make_filter<Batch*, void>(tbb::filter_mode::serial_in_order, write));
   });
 }
 
