@@ -47,6 +47,10 @@ class IntervalWorker {
     if (v[3] == 0 && v[4] == 0 && v[5] == 0) {
       rows_.reject(row, 3, "the direction is zero", "it does not say where to look", "give any other direction");
     }
+    if (!Ray::in_range({v[0], v[1], v[2]}, {v[3], v[4], v[5]})) {
+      rows_.reject(row, 0, "the ray is out of range",
+                   "coordinates up to 2^400 and directions from 2^-400 to 2^400 work", "choose another unit of length");
+    }
     const Ray ray({v[0], v[1], v[2]}, {v[3], v[4], v[5]});
     caster_.begin(ray);
     found_.clear();

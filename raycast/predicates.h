@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "raycast/detail/line_frame.h"
 #include "raycast/hit.h"
+#include "raycast/line_frame.h"
 #include "raycast/ray.h"
 #include "raycast/surface.h"
 
@@ -23,7 +23,7 @@ struct Line {
       : ray(r), in_frame(r, frame), departure(from), departure_side(side) {}
 
   Ray ray;
-  detail::LineFrame in_frame;
+  LineFrame in_frame;
   SurfaceId departure;  ///< the surface that the ray starts on, exactly, by definition; or none
   Sense departure_side = Sense::positive;
 };
@@ -43,7 +43,7 @@ struct ExactCalls {
 /// after the start is told: no crossing at t = 0. Of a local surface (surface.h) only crossings in the frame's unit
 /// cube are told for certain: one that lies outside may be missing.
 struct LineCrossings {
-  std::array<double, 2> tau{};  ///< in the line's frame (detail/line_frame.h)
+  std::array<double, 2> tau{};  ///< in the line's frame (line_frame.h)
   double error = 0;             ///< bound on |tau - exact tau|, of both
   std::uint8_t count = 0;
   bool positive_before = true;

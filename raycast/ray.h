@@ -12,7 +12,15 @@ namespace csgcast {
 /// origin + t direction. The six doubles are exact; t counts in units of the direction, which need not be unit.
 class Ray {
  public:
-  /// Throws Error(bad_value) for a zero direction or a number that is not finite.
+  /// The range in which nothing over- or underflows: coordinates of the origin and of the direction, and the longest
+  /// coordinate of the direction.
+  static constexpr double greatest = 0x1p400;
+  static constexpr double least_direction = 0x1p-400;
+
+  /// Whether finite numbers are within the range; a zero direction is not.
+  static bool in_range(Point origin, Vector direction);
+
+  /// Throws Error(bad_value) for a zero direction or a number that is not finite, Error(limit) out of the range.
   Ray(Point origin, Vector direction);
 
   Point origin() const { return origin_; }

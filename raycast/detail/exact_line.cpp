@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/detail/exact_line.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace csgcast::detail {
@@ -71,7 +73,9 @@ Dyadic approximate(const ExactRoot& root, const ExactPolynomial& f) {
 void set_tau(const Line& line, LineCrossings& found, unsigned index, const Dyadic& t) {
   const LineFrame& frame = line.in_frame;
   const Dyadic along = t.scaled(-std::int64_t{std::ilogb(frame.unit)});
-  const double tau = (along - Dyadic(frame.shift)).nearest();
+  constexpr double most = std::numeric_limits<double>::max();
+  const double tau =
+      std::clamp((along - Dyadic(frame.shift)).nearest(), -most, most);  // beyond it the error below is infinite
   found.tau[index] = tau;
   const double error = 0x1p-52 * std::fabs(tau) + 0x1p-110 * std::fabs(along.nearest()) + 0x1p-1000;
   found.error = std::fmax(found.error, error);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <compare>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,7 +29,9 @@ class LineCache {
   std::uint64_t rays_flagged() const { return rays_flagged_ + (exact_calls_.structural() != calls_at_begin_ ? 1 : 0); }
 
   const LineCrossings& found(SurfaceId id);
-  Crossing crossing(SurfaceId id, std::uint8_t root) { return {line_.in_frame.t(found(id).tau[root]), id, root}; }
+  Crossing crossing(SurfaceId id, std::uint8_t root) {
+    return {finite(line_.in_frame.t(found(id).tau[root])), id, root};
+  }
   /// The crossing with the t to report.
   Crossing reported(const Crossing& crossing);
   /// Numbers that no exact t of a crossing is below, or above; of an infinite end, itself. For culling.
@@ -57,6 +61,10 @@ class LineCache {
     return {crossing.surface, &scene_.surface(crossing.surface), &found(crossing.surface), crossing.root};
   }
 
+  static double finite(double t) {
+    constexpr double most = std::numeric_limits<double>::max();
+    return std::clamp(t, -most, most);
+  }
   double slack(const Crossing& crossing) {
     return 2 * found(crossing.surface).error * line_.in_frame.unit + 0x1p-50 * std::fabs(crossing.t);
   }

@@ -111,7 +111,7 @@ std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surfac
 }  // namespace
 
 std::optional<LineCrossings> filtered_plane(const LineFrame& line, const Surface& plane) {
-  if (!plane.in_range) return std::nullopt;
+  if (!plane.in_range || !line.in_range) return std::nullopt;
   const double e = longest(line.direction);
   const double size = longest(line.near);
   // A coefficient, a product and two additions each; the value has one addition more, and the error of `near`.
@@ -142,7 +142,7 @@ std::optional<LineCrossings> filtered_plane(const LineFrame& line, const Surface
 }
 
 std::optional<LineCrossings> filtered_quadric(const LineFrame& line, const Surface& quadric) {
-  if (!quadric.in_range) return std::nullopt;
+  if (!quadric.in_range || !line.in_range) return std::nullopt;
   const Quadratic f = restrict_to_line(line, quadric);
   const double bb = f.b.value * f.b.value;
   const double ac = f.a.value * f.c.value;
@@ -161,7 +161,7 @@ std::optional<LineCrossings> filtered_quadric(const LineFrame& line, const Surfa
 std::optional<LineCrossings> filtered_departure(const Line& line, const Surface& surface) {
   const bool positive = line.departure_side == Sense::positive;
   if (surface.kind == SurfaceKind::plane) return none(positive);
-  if (!surface.in_range) return std::nullopt;
+  if (!surface.in_range || !line.in_frame.in_range) return std::nullopt;
   // c is 0 at the start by definition: f = t (a t + 2 b). On the way f has the sign of the departure's side at first
   // and that of a in the end, so there is a crossing after the start exactly if these differ.
   const LineFrame& in_frame = line.in_frame;

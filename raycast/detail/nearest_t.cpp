@@ -101,7 +101,7 @@ std::optional<double> newton(const LineFrame& line, const CrossingView& crossing
 
 double nearest_t(const Line& line, const CrossingView& crossing, ExactCalls& calls) {
   // A departure's form is another one; there is no need for speed.
-  const bool plain = crossing.id != line.departure && crossing.surface->in_range;
+  const bool plain = crossing.id != line.departure && crossing.surface->in_range && line.in_frame.in_range;
   if (plain) {
     if (const std::optional<double> t = newton(line.in_frame, crossing)) return *t;
   }

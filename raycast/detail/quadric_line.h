@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raycast/detail/line_frame.h"
+#include "raycast/line_frame.h"
 #include "raycast/surface.h"
 
 // Surfaces restricted to a line, in double: what the certified filter puts bounds on.

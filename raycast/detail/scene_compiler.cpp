@@ -20,6 +20,26 @@ bool passes_through(const Solid& solid) {
          solid.kind() == Solid::Kind::part;
 }
 
+// Within these nothing in the engine over- or underflows.
+constexpr double greatest = 0x1p400;
+constexpr double least = 0x1p-400;
+
+void check_range(const Box& box, const Place& place) {
+  if (box.is_null()) return;
+  double farthest = 0;
+  double longest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double side : {box.lower[axis], box.upper[axis]}) {
+      if (std::isfinite(side)) farthest = std::fmax(farthest, std::fabs(side));
+    }
+    longest = std::fmax(longest, box.upper[axis] - box.lower[axis]);
+  }
+  if (farthest <= greatest && longest >= least) return;
+  throw Error(ErrorCode::limit, place,
+              farthest > greatest ? "this solid is too large or too far away" : "this solid is too small",
+              "coordinates up to 2^400 and sizes from 2^-400 work", "choose another unit of length");
+}
+
 std::vector<double> look_key(const Material& m) {
   return {m.color.r,    m.color.g,      m.color.b,      m.ambient,     m.diffuse,    m.specular,
           m.shininess,  m.reflection,   m.transmission, m.ior,         m.emission.r, m.emission.g,
@@ -165,6 +185,7 @@ NodeId SceneCompiler::add_leaf(const Solid& solid, const Context& context) {
   static const ExactAffine identity;
   const ExactAffine* moved = context.world_from_solid.get();
   const Box box = world_bounds(solid.shape(), moved ? *moved : identity);
+  check_range(box, solid.place());
   Leaf leaf;
   leaf.first = static_cast<std::uint32_t>(scene_.half_spaces_.size());
   leaf.kind = solid.shape().kind;

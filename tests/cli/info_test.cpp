@@ -76,7 +76,7 @@ TEST_CASE("info as JSON") {
   ")");
 }
 
-TEST_CASE("--quiet keeps warnings back, and info still counts them") {
+TEST_CASE("the option --quiet keeps warnings back, and info still counts them") {
   const TemporaryFolder folder;
   folder.write("scene.csg", scene);
   const Outcome outcome = run(folder, {"info", "scene.csg", "--quiet"});
@@ -84,7 +84,7 @@ TEST_CASE("--quiet keeps warnings back, and info still counts them") {
   CHECK(outcome.out.find("warnings    1\n") != std::string::npos);
 }
 
-TEST_CASE("--facets decides which curved solids become polyhedra") {
+TEST_CASE("the option --facets decides which curved solids become polyhedra") {
   const TemporaryFolder folder;
   folder.write("scene.csg",
                "cylinder(h = 1, r = 1, $fn = 6);\ntranslate([5, 0, 0]) { cylinder(h = 1, r = 1, $fn = 20); }");

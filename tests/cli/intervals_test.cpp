@@ -44,7 +44,7 @@ TEST_CASE("an interval cut off by t = 0 has no entry normal and no entry solid")
         columns + "0,0,0.5,,,,0,0,1,,7:39,ball\n");
 }
 
-TEST_CASE("--line asks for the whole line, --tmin and --tmax for a piece of it") {
+TEST_CASE("the option --line asks for the whole line, --tmin and --tmax for a piece of it") {
   const SceneFolder folder;
   const auto csv = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), {"--ray", "0,0,5,0,0,1", "--format", "csv"});

@@ -57,7 +57,7 @@ TEST_CASE("a picture is 800x600 unless --size says otherwise, and the same on an
   CHECK((folder.read("one.png") == folder.read("three.png")));
 }
 
-TEST_CASE("--stats counts rays by kind and times each stage") {
+TEST_CASE("the option --stats counts rays by kind and times each stage") {
   const SceneFolder folder;
   const Outcome outcome = run(folder, {"render", "scene.csg", "-o", "a.png", "--size", "40x40", "--samples", "4",
                                        "--stats", "a.json", "--threads", "1"});
@@ -90,7 +90,7 @@ TEST_CASE("each mode makes a picture of its own") {
   }
 }
 
-TEST_CASE("--camera replaces the scene's camera, in either of OpenSCAD's forms") {
+TEST_CASE("the option --camera replaces the scene's camera, in either of OpenSCAD's forms") {
   const SceneFolder folder;
   const auto picture = [&](const std::string& camera) {
     std::vector<std::string> arguments{"render", "scene.csg", "-o", "a.png", "--size", "40x30"};
@@ -104,7 +104,7 @@ TEST_CASE("--camera replaces the scene's camera, in either of OpenSCAD's forms")
   CHECK((picture("0,0,0,90,0,0,9") != own));
 }
 
-TEST_CASE("--facets changes the picture of a solid with $fn") {
+TEST_CASE("the option --facets changes the picture of a solid with $fn") {
   const SceneFolder folder("sphere(r = 1, $fn = 20);");
   const auto picture = [&](const std::string& facets) {
     run(folder, {"render", "scene.csg", "-o", "a.png", "--size", "40x30", "--facets", facets});
@@ -114,7 +114,7 @@ TEST_CASE("--facets changes the picture of a solid with $fn") {
   CHECK((picture("auto") != picture("always")));
 }
 
-TEST_CASE("--trace-pixel prints the rays of one pixel, with a picture or without") {
+TEST_CASE("the option --trace-pixel prints the rays of one pixel, with a picture or without") {
   const SceneFolder folder;
   const std::vector<std::string> pixel{"render", "scene.csg", "--size", "40x30", "--trace-pixel", "20,15"};
   const Outcome alone = run(folder, pixel);

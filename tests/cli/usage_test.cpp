@@ -10,7 +10,7 @@ using namespace csgcast::test;
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-TEST_CASE("--help lists the commands, and each command's help shows an example") {
+TEST_CASE("the option --help lists the commands, and each command's help shows an example") {
   const TemporaryFolder folder;
   const Outcome help = run(folder, {"--help"});
   CHECK(help.exit_code == 0);
@@ -25,7 +25,7 @@ TEST_CASE("--help lists the commands, and each command's help shows an example")
   }
 }
 
-TEST_CASE("--version names the program and its version") {
+TEST_CASE("the option --version names the program and its version") {
   const Outcome outcome = run(TemporaryFolder(), {"--version"});
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.substr(0, 8) == "csgcast ");

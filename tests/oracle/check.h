@@ -20,9 +20,7 @@ struct Tally {
   std::uint64_t mesh_verdicts = 0;         ///< points on which Side_of_triangle_mesh had a say
   std::uint64_t rays = 0;
   std::uint64_t intervals = 0;
-  std::uint64_t ends = 0;  ///< made by a surface: id and t were compared
-  /// The largest |t - exact t|, relative to the greater of |t| and the largest coordinates of origin over direction.
-  double worst_t = 0;
+  std::uint64_t ends = 0;         ///< made by a surface: its id, and that t is the nearest double
   std::uint64_t exact_calls = 0;  ///< decisions for which the product needed exact arithmetic
   std::uint64_t wrong = 0;
   std::vector<std::string> complaints;  ///< the first few
@@ -48,7 +46,7 @@ using ModelMaker = std::function<Model(test::RandomSolids&)>;
 /// near (often exactly at) a crossing.
 Tally check_family(const ModelMaker& make, std::uint64_t seed, Workload work);
 
-/// One line: counts and the worst error of t.
+/// One line of counts.
 std::string summary(const std::string& family, const Tally& tally);
 
 }  // namespace csgcast::oracle

@@ -10,7 +10,13 @@
 namespace csgcast::oracle {
 namespace {
 
-bool is_direction(Vector d) { return is_finite(d) && d != Vector{}; }
+double longest(Vector v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+// What a ray takes: raycast/ray.h.
+bool is_direction(Vector d) {
+  return is_finite(d) && longest(d) >= Ray::least_direction && longest(d) <= Ray::greatest;
+}
+bool is_origin(Point p) { return is_finite(p) && longest(as_vector(p)) <= Ray::greatest; }
 
 }  // namespace
 
@@ -143,7 +149,7 @@ Ray Queries::ray() {
       d = target - origin;
     }
     d = rescaled(d);
-    if (is_direction(d) && is_finite(origin)) return Ray(origin, d);
+    if (is_direction(d) && is_origin(origin)) return Ray(origin, d);
   }
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "raycast/detail/line_frame.h"
+#include "raycast/line_frame.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "raycast/detail/twofold.h"
 
-namespace csgcast::detail {
+namespace csgcast {
 namespace {
 
 double longest(Vector v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
@@ -20,6 +20,7 @@ Vector times_power(Vector v, int exponent) {
 LineFrame::LineFrame(const Ray& ray, const Frame& frame) {
   const int direction_exponent = std::ilogb(longest(ray.direction()));
   direction = times_power(ray.direction(), -direction_exponent);
+  in_range = times_power(direction, direction_exponent) == ray.direction();
   unit = std::ldexp(1.0, frame.exponent - direction_exponent);
   direction_squared = dot(direction, direction);
   inverse_squared = 1 / direction_squared;
@@ -28,16 +29,16 @@ LineFrame::LineFrame(const Ray& ray, const Frame& frame) {
   Vector high;
   Vector low;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Twofold difference = two_sum(ray.origin()[axis], -frame.center[axis]);
+    const detail::Twofold difference = detail::two_sum(ray.origin()[axis], -frame.center[axis]);
     high[axis] = std::ldexp(difference.high, -frame.exponent);
     low[axis] = std::ldexp(difference.low, -frame.exponent);
   }
   // Any shift is right: the one to the closest approach keeps `near` small when the ray starts far away.
   if (longest(high) > 2) shift = -dot(high, direction) * inverse_squared;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Twofold step = two_product(shift, direction[axis]);
-    const Twofold sum = two_sum(high[axis], step.high);
-    const Twofold at = fast_two_sum(sum.high, sum.low + (step.low + low[axis]));
+    const detail::Twofold step = detail::two_product(shift, direction[axis]);
+    const detail::Twofold sum = detail::two_sum(high[axis], step.high);
+    const detail::Twofold at = detail::fast_two_sum(sum.high, sum.low + (step.low + low[axis]));
     near[axis] = at.high;
     near_low[axis] = at.low;
   }
@@ -47,4 +48,4 @@ LineFrame::LineFrame(const Ray& ray, const Frame& frame) {
   near_error = 0x1p-53 * longest(near) + near_low_error;
 }
 
-}  // namespace csgcast::detail
+}  // namespace csgcast

@@ -4,7 +4,7 @@
 #include "raycast/frame.h"
 #include "raycast/ray.h"
 
-namespace csgcast::detail {
+namespace csgcast {
 
 /// A ray's line in a frame: q = near + tau direction with |direction| in [1, 2) on its longest axis, and `near` close
 /// to the frame's center wherever the ray starts. t = (shift + tau) unit.
@@ -16,6 +16,7 @@ struct LineFrame {
   Vector near;
   Vector near_low;
   Vector direction;
+  bool in_range = true;  ///< false if scaling the direction underflowed: then the doubles decide nothing
   double near_error = 0;
   double near_low_error = 0;
   double shift = 0;
@@ -29,4 +30,4 @@ struct LineFrame {
   double t(double tau) const { return (shift + tau) * unit; }
 };
 
-}  // namespace csgcast::detail
+}  // namespace csgcast
