@@ -9,8 +9,9 @@
 
 namespace csgcast {
 
-/// One crossing of the ray's line with a surface: the lower (root 0) or upper (root 1) one. Without a surface it is an
-/// end that no surface makes: where the query's span cut the interval off, or an infinite end.
+/// One crossing of the ray's line with a surface: the first (root 0) or second (root 1) of those that matter to the
+/// scene on this line. Without a surface it is an end that no surface makes: where the query's span cut the interval
+/// off, or an infinite end.
 struct Crossing {
   double t = 0;
   SurfaceId surface;
