@@ -15,17 +15,17 @@ namespace csgcast {
 /// A camera statement: perspective with a vertical field of view in degrees, or parallel with a height in units of
 /// length.
 struct CameraDescription {
-  Point eye;
-  Point look_at;
+  Point eye{};
+  Point look_at{};
   Vector up{0, 0, 1};
   double fov = 30;               ///< vertical, degrees, in (0, 180)
-  std::optional<double> height;  ///< parallel projection if set
+  std::optional<double> height{};  ///< parallel projection if set
 };
 
 /// A light statement: a point light (position) or a directional one (direction: where its light goes).
 struct LightDescription {
-  std::optional<Point> position;
-  std::optional<Vector> direction;
+  std::optional<Point> position{};
+  std::optional<Vector> direction{};
   Rgb color{1, 1, 1};  ///< linear
   double intensity = 1;
   std::optional<double>

@@ -35,7 +35,7 @@ struct RenderOptions {
   int threads = 0;  ///< 0: all cores
   /// Called now and then with the share done, ascending in [0, 1], by one thread at a time; what it throws ends the
   /// render.
-  std::function<void(double done)> progress;
+  std::function<void(double done)> progress{};
 };
 
 /// A picture, the same bit for bit on any number of threads. Throws Error(limit) for a size or number of samples that

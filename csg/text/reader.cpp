@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <utility>
 
 #include "csg/text/detail/parser.h"
@@ -16,7 +16,17 @@
 namespace csgcast::text {
 namespace {
 
-std::string contents(std::istream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
+// All of a stream, up to the first block with a zero byte: what holds one is no text, and may have no end.
+std::string contents(std::istream& stream) {
+  std::string text;
+  std::array<char, 1 << 16> block;
+  while (stream.read(block.data(), block.size()), stream.gcount() > 0) {
+    const std::string_view read(block.data(), static_cast<std::size_t>(stream.gcount()));
+    text += read;
+    if (read.find('\0') != std::string_view::npos) break;
+  }
+  return text;
+}
 
 [[noreturn]] void cannot_read(const std::string& path, const std::string& why) {
   throw Error(ErrorCode::input_output, {path, 0, 0}, "cannot read this file", why, "give the path of a scene text");
