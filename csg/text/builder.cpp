@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "csg/text/detail/openscad_language.h"
+#include "csg/text/detail/shortened.h"
 #include "csg/text/detail/statements.h"
 #include "csg/text/detail/suggestion.h"
 
@@ -79,12 +82,14 @@ class Builder {
   Place place(const Node& node) const { return {document_.file, node.line, node.column}; }
   void reject_children(const Node& node) const;
   void require_part_allowed(const Node& part, const Below& below) const;
+  void warn_of_repeated_part(const Call& part);
 
   const Document& document_;
   const BuildOptions& options_;
   SceneDescription scene_;
   std::vector<Frame> frames_;
-  std::vector<std::string_view> applied_;  ///< names of the scene statements so far
+  std::vector<std::string_view> applied_;            ///< names of the scene statements so far
+  std::unordered_map<std::string, int> part_lines_;  ///< where each part name stood first
 };
 
 SceneDescription Builder::build() {
@@ -143,7 +148,8 @@ void Builder::leave() {
 const Statement& Builder::statement_of(const Node& node) const {
   const Statement* statement = find_statement(node.name);
   if (statement == nullptr) {
-    throw Error(ErrorCode::unknown_name, place(node), fmt::format("there is no statement '{}'", node.name), "",
+    throw Error(ErrorCode::unknown_name, place(node), fmt::format("there is no statement '{}'", shortened(node.name)),
+                "",
                 did_you_mean(node.name, statement_names(),
                              fmt::format("if it is a module of an OpenSCAD program, {}", export_remedy)));
   }
@@ -178,11 +184,14 @@ void Builder::apply(const Node& node, const Statement& statement, const SceneSta
 
 void Builder::open(const Node& node, const Statement& statement, const OperatorStatement& meaning) {
   Below below = frames_.back().below;
-  if (node.name == "part") require_part_allowed(node, below);
+  const bool is_part = node.name == "part";
+  if (is_part) require_part_allowed(node, below);
+  const Call arguments = call(node, statement);
   Frame frame;
   frame.children = node.children;
   frame.node = &node;
-  frame.combine = meaning.make(call(node, statement));
+  frame.combine = meaning.make(arguments);
+  if (is_part) warn_of_repeated_part(arguments);
   below.top = false;
   if (meaning.parts == OperatorStatement::Parts::forbidden) below.forbids_parts = &node;
   frame.below = below;
@@ -201,6 +210,13 @@ void Builder::require_part_allowed(const Node& part, const Below& below) const {
               fmt::format("a part cannot stand below '{}'", below.forbids_parts->name),
               "parts may only stand below unions, groups, transforms and looks",
               fmt::format("move it around the '{}' of line {}", below.forbids_parts->name, below.forbids_parts->line));
+}
+
+void Builder::warn_of_repeated_part(const Call& part) {
+  const auto [first, is_new] = part_lines_.try_emplace(part.string("name").value(), part.place().line);
+  if (is_new) return;
+  part.warn(
+      fmt::format("a part of line {} is named '{}' too: they stay two parts", first->second, shortened(first->first)));
 }
 
 }  // namespace

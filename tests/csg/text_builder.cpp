@@ -185,6 +185,20 @@ TEST_CASE("a part may stand below unions, groups, transforms and looks") {
   CHECK(part.children()[0].kind() == Kind::unite);
 }
 
+TEST_CASE("a part with the name of another one is a part of its own, with a warning") {
+  const std::string text =
+      "part(\"a\") { cube(); }\npart(\"b\") { cube(); }\ngroup() {\n part(\"a\", nan) { cube(); } }\n*part(\"b\");";
+  const Solid solid = solid_of(text);
+  REQUIRE(solid.children().size() == 3);
+  CHECK(solid.children()[2].kind() == Kind::part);
+  CHECK(warnings_of(text) ==
+        "test.csg:4:12: warning: 'nan' in 'density' of 'part' counts as undef, as in OpenSCAD\n"
+        "test.csg:4:2: warning: a part of line 1 is named 'a' too: they stay two parts\n");
+  const std::string name = repeated("x", 41);
+  const std::string twice = "part(\"" + name + "\"); part(\"" + name + "\");";
+  CHECK(warnings_of(twice).find("'" + repeated("x", 40) + "...' too") != std::string::npos);
+}
+
 TEST_CASE("color reads names, hexadecimal digits and channels as sRGB") {
   CHECK(paint_of("color(\"Red\") { cube(); }") == Paint{{1, 0, 0}, 1});
   CHECK(paint_of("color(\"#f00\") { cube(); }") == Paint{{1, 0, 0}, 1});
@@ -195,6 +209,18 @@ TEST_CASE("color reads names, hexadecimal digits and channels as sRGB") {
   const Paint teal = paint_of("color(\"teal\") { cube(); }");
   CHECK(teal.color == Rgb{0, linear_from_srgb(128 / 255.0), linear_from_srgb(128 / 255.0)});
   CHECK(paint_of("color(\"#0080807f\") { cube(); }") == Paint{teal.color, 127 / 255.0});
+}
+
+TEST_CASE("material, light and background read the same names and digits as color, and lists as linear light") {
+  const Rgb teal = paint_of("color(\"teal\") { cube(); }").color;
+  for (const std::string color : {"\"teal\"", "\"#008080\"", "\"#008080ff\""}) {
+    INFO(color);
+    CHECK(solid_of("material(color = " + color + ") { cube(); }").look().material->color == teal);
+    CHECK(build_text("light(direction = [0, 0, 1], color = " + color + ");").lights[0].color == teal);
+    CHECK(build_text("background(" + color + ");").background == teal);
+  }
+  CHECK(build_text("background([0, 0.5, 7]);").background == Rgb{0, 0.5, 7});
+  CHECK(build_text("light(direction = [0, 0, 1], color = undef);").lights[0].color == Rgb{1, 1, 1});
 }
 
 TEST_CASE("a colour that is not set sets none, and one too bright is clamped") {

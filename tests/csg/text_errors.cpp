@@ -243,7 +243,13 @@ TEST_CASE("impossible values are refused with the rule they break") {
       {"material(reflection = 2) { cube(); }", bad_value, 1, 10, "between 0 and 1"},
       {"material(ior = 0) { cube(); }", bad_value, 1, 10, "greater than 0"},
       {"material(color = [1, -1, 0]) { cube(); }", bad_value, 1, 10, "negative channel"},
-      {"material(color = \"red\") { cube(); }", wrong_type, 1, 10, "list of three numbers"},
+      {"material(color = 5) { cube(); }", wrong_type, 1, 10, "must be a string or a list of three numbers"},
+      {"material(color = [1, 0]) { cube(); }", wrong_type, 1, 10, "list of three numbers"},
+      {"material(color = \"rde\") { cube(); }", unknown_name, 1, 10, "did you mean 'red'?"},
+      {"light(direction = [0, 0, 1], color = \"#12345\");", bad_value, 1, 30, "'#12345' is no colour"},
+      {"light(direction = [0, 0, 1], color = \"#12345678\");", bad_value, 1, 30, "must be an opaque colour"},
+      {"background(\"transparent\");", bad_value, 1, 12, "must be an opaque colour"},
+      {"material(emission = \"red\") { cube(); }", wrong_type, 1, 10, "list of three numbers"},
       {"camera(eye = [1, 1, 1], look_at = [1, 1, 1]);", bad_value, 1, 25, "differ from 'eye'"},
       {"camera(eye = [0, 0, 1], look_at = [0, 0, 0]);", bad_value, 1, 1, "'up' of 'camera' must not be zero nor along"},
       {"camera(eye = [1, 0, 0], look_at = [0, 0, 0], fov = 180);", bad_value, 1, 46, "less than 180"},
@@ -258,6 +264,28 @@ TEST_CASE("impossible values are refused with the rule they break") {
       {"settings(max_depth = 101);", bad_value, 1, 10, "from 0 to 100"},
       {"settings(max_depth = 1.5);", bad_value, 1, 10, "whole number"},
       {"settings(min_contribution = 2);", bad_value, 1, 10, "between 0 and 1"},
+  });
+}
+
+TEST_CASE("what a message quotes is cut after forty bytes, between two characters") {
+  const std::string forty = repeated("x", 40);
+  const std::string quoted = "'" + forty + "...'";
+  check_all({
+      {forty + "();", unknown_name, 1, 1, "'" + forty + "'"},
+      {forty + "x();", unknown_name, 1, 1, quoted},
+      {forty + "x = 1;", syntax, 1, 1, quoted},
+      {forty + "x;", syntax, 1, 42, "'(' after " + quoted},
+      {forty + "x() cube();", syntax, 1, 45, "after '" + forty + "...(..)'"},
+      {"cube(1 " + forty + "x);", syntax, 1, 8, "the word " + quoted},
+      {"cube(" + forty + "x);", syntax, 1, 6, quoted + " is no value"},
+      {"cube(-" + forty + "x);", syntax, 1, 7, quoted + " is no number"},
+      {"cube(" + forty + "x = 1);", unknown_name, 1, 6, quoted},
+      {"cube(" + repeated("9", 400) + ");", bad_value, 1, 6, "number " + repeated("9", 40) + "... is too large"},
+      {"color(\"" + forty + "x\") { cube(); }", unknown_name, 1, 7, quoted},
+      {"color(\"#" + forty + "\") { cube(); }", bad_value, 1, 7, fmt::format("'#{:x>39}...'", "")},
+      {"color(\"" + repeated("x", 39) + "\xc3\xbc\") { cube(); }", unknown_name, 1, 7, repeated("x", 39) + "...'"},
+      {"color(\"" + repeated("\xf0\x9f\x8e\xa8", 20) + "\") { cube(); }", unknown_name, 1, 7,
+       fmt::format("\'{}...\'", repeated("\xf0\x9f\x8e\xa8", 10))},
   });
 }
 

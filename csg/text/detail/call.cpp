@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "csg/text/detail/number.h"
+#include "csg/text/detail/shortened.h"
 #include "csg/text/detail/suggestion.h"
 
 namespace csgcast::text {
@@ -106,7 +107,7 @@ void Call::unknown_argument(const Argument& argument, const Parameters& paramete
   const std::string all =
       known.empty() ? "it takes none; remove this one" : fmt::format("it takes {}", fmt::join(known, ", "));
   reject(ErrorCode::unknown_name, {file_, argument.line, argument.column},
-         fmt::format("'{}' has no argument '{}'", node_.name, argument.name), "",
+         fmt::format("'{}' has no argument '{}'", node_.name, shortened(argument.name)), "",
          did_you_mean(argument.name, known, all));
 }
 

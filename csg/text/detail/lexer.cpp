@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "csg/text/detail/shortened.h"
 #include "csg/text/detail/utf8.h"
 
 namespace csgcast::text {
@@ -28,8 +29,7 @@ std::optional<std::uint32_t> hexadecimal_digit(char c) {
 }  // namespace
 
 std::string describe(const Token& token) {
-  constexpr std::size_t longest = 40;
-  const std::string spelling(token.spelling.substr(0, longest));
+  const std::string spelling = shortened(token.spelling);
   switch (token.kind) {
     case Token::Kind::end:
       return "the end of the text";

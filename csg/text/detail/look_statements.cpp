@@ -7,24 +7,10 @@
 #include <optional>
 #include <utility>
 
-#include "csg/text/detail/color_names.h"
-#include "csg/text/detail/suggestion.h"
+#include "csg/text/detail/color_argument.h"
 
 namespace csgcast::text {
 namespace {
-
-EncodedColor color_from_text(const Call& call, const std::string& text) {
-  const auto color = text.starts_with('#') ? hexadecimal_color(text) : named_color(text);
-  if (color) return *color;
-  constexpr std::size_t longest = 40;
-  const std::string shown = text.substr(0, longest);
-  if (text.starts_with('#')) {
-    call.reject(ErrorCode::bad_value, call.place("c"), fmt::format("'{}' is no colour", shown),
-                "a colour has 3, 4, 6 or 8 hexadecimal digits", "write #rgb, #rgba, #rrggbb or #rrggbbaa");
-  }
-  call.reject(ErrorCode::unknown_name, call.place("c"), fmt::format("there is no colour named '{}'", shown), "",
-              did_you_mean(text, color_names(), "give a CSS name, \"#rrggbb\" or [r, g, b]"));
-}
 
 /// Channels outside [0, 1] are brought there with a warning; negative ones are left as the mark of a colour that is not
 /// set. As in OpenSCAD, an undef one is 0.
@@ -52,7 +38,7 @@ std::optional<EncodedColor> encoded_color(const Call& call) {
   if (std::holds_alternative<List>(value->data)) {
     color = color_from_list(call, *call.list("c"));
   } else if (std::holds_alternative<std::string>(value->data)) {
-    color = color_from_text(call, *call.string("c"));
+    color = color_from_string(call, "c");
   } else {
     call.reject(ErrorCode::wrong_type, call.place("c"), "'c' of 'color' must be a string or a list of channels", "",
                 "give a CSS name, \"#rrggbb\" or [r, g, b]");
@@ -77,15 +63,14 @@ void read_strength(const Call& call, std::string_view name, double& strength) {
 Combine make_color(const Call& call) {
   const auto encoded = encoded_color(call);
   if (!encoded) return unite;
-  const auto& [r, g, b, alpha] = *encoded;
   LookStatement look;
-  look.paint = Paint{{linear_from_srgb(r), linear_from_srgb(g), linear_from_srgb(b)}, alpha};
+  look.paint = Paint{linear_from(*encoded), (*encoded)[3]};
   return [look](std::vector<Solid> children) { return with_look(unite(std::move(children)), look); };
 }
 
 Combine make_material(const Call& call) {
   Material material;
-  material.color = call.rgb("color").value_or(material.color);
+  material.color = color_argument(call, "color").value_or(material.color);
   read_strength(call, "ambient", material.ambient);
   read_strength(call, "diffuse", material.diffuse);
   read_strength(call, "specular", material.specular);

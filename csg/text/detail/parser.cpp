@@ -7,6 +7,7 @@
 
 #include "csg/text/detail/number.h"
 #include "csg/text/detail/openscad_language.h"
+#include "csg/text/detail/shortened.h"
 
 namespace csgcast::text {
 namespace {
@@ -93,7 +94,7 @@ std::vector<Node> Parser::statements() {
     } else if (accept(';')) {
       siblings().push_back(std::move(node));
     } else {
-      fail(token_, fmt::format("';' or '{{' after '{}(..)'", node.name),
+      fail(token_, fmt::format("';' or '{{' after '{}(..)'", shortened(node.name)),
            "end the statement with ';' or give it a block { .. }");
     }
   }
@@ -111,9 +112,10 @@ Node Parser::statement_head() {
   node.line = name.line;
   node.column = name.column;
   if (is_openscad_keyword(node.name)) reject_language(name, fmt::format("'{}' is no statement of a scene", node.name));
-  if (token_.is('=')) reject_language(name, fmt::format("'{}' is a variable", node.name));
+  if (token_.is('=')) reject_language(name, fmt::format("'{}' is a variable", shortened(node.name)));
   if (!token_.is('('))
-    fail(token_, fmt::format("'(' after '{}'", node.name), "write its arguments in ( ), even if there are none");
+    fail(token_, fmt::format("'(' after '{}'", shortened(node.name)),
+         "write its arguments in ( ), even if there are none");
   const Token opening = token_;
   step();
   node.arguments = arguments(opening);
@@ -195,7 +197,7 @@ Value Parser::signed_value() {
   const bool is_word = token_.spelling == "inf" || token_.spelling == "nan";
   if (!is_word) {
     if (token_.kind == Token::Kind::identifier)
-      reject_language(token_, fmt::format("'{}' is no number", token_.spelling));
+      reject_language(token_, fmt::format("'{}' is no number", shortened(token_.spelling)));
     fail(token_, fmt::format("a number after '{}'", first.spelling), "write a plain number such as -2.5");
   }
   Value result = value_at(first);
@@ -223,7 +225,7 @@ Value Parser::word(const Token& word) const {
   } else if (word.spelling == "inf" || word.spelling == "nan") {
     result.data = Value::Word{std::string(word.spelling)};
   } else if (word.spelling != "undef") {
-    reject_language(word, fmt::format("'{}' is no value", word.spelling));
+    reject_language(word, fmt::format("'{}' is no value", shortened(word.spelling)));
   }
   return result;
 }

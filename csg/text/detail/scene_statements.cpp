@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "csg/text/detail/color_argument.h"
+
 namespace csgcast::text {
 namespace {
 
@@ -37,7 +39,7 @@ void apply_light(const Call& call, SceneDescription& scene) {
                 light.position ? "both are given" : "neither is given", "give one of them");
   }
   if (light.direction) call.require(*light.direction != Vector{}, "direction", "not be the zero vector");
-  light.color = call.rgb("color").value_or(light.color);
+  light.color = color_argument(call, "color").value_or(light.color);
   light.intensity = call.number_or("intensity", light.intensity);
   call.require(light.intensity >= 0, "intensity", "not be negative");
   light.falloff = call.number("falloff");
@@ -49,8 +51,8 @@ void apply_light(const Call& call, SceneDescription& scene) {
 }
 
 void apply_background(const Call& call, SceneDescription& scene) {
-  scene.background = call.rgb("color");
-  if (!scene.background) call.missing("color", "a list of three numbers, linear RGB");
+  scene.background = color_argument(call, "color");
+  if (!scene.background) call.missing("color", "a CSS name, \"#rrggbb\" or linear [r, g, b]");
 }
 
 void apply_settings(const Call& call, SceneDescription& scene) {

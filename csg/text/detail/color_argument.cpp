@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "csg/text/detail/color_argument.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "csg/text/detail/shortened.h"
+#include "csg/text/detail/suggestion.h"
+
+namespace csgcast::text {
+
+EncodedColor color_from_string(const Call& call, std::string_view name) {
+  const std::string text = call.string(name).value();
+  const bool hexadecimal = text.starts_with('#');
+  const auto color = hexadecimal ? hexadecimal_color(text) : named_color(text);
+  if (color) return *color;
+  if (hexadecimal) {
+    call.reject(ErrorCode::bad_value, call.place(name), fmt::format("'{}' is no colour", shortened(text)),
+                "a colour has 3, 4, 6 or 8 hexadecimal digits", "write #rgb, #rgba, #rrggbb or #rrggbbaa");
+  }
+  call.reject(ErrorCode::unknown_name, call.place(name), fmt::format("there is no colour named '{}'", shortened(text)),
+              "", did_you_mean(text, color_names(), "give a CSS name, \"#rrggbb\" or [r, g, b]"));
+}
+
+Rgb linear_from(const EncodedColor& color) {
+  return {linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2])};
+}
+
+std::optional<Rgb> color_argument(const Call& call, std::string_view name) {
+  const Value* value = call.find(name);
+  if (value == nullptr || std::holds_alternative<List>(value->data)) return call.rgb(name);
+  if (!std::holds_alternative<std::string>(value->data)) {
+    call.reject(ErrorCode::wrong_type, call.place(name),
+                fmt::format("'{}' of '{}' must be a string or a list of three numbers", name, call.name()), "",
+                "give a CSS name, \"#rrggbb\" or linear [r, g, b]");
+  }
+  const EncodedColor color = color_from_string(call, name);
+  if (color[3] < 1) {
+    call.reject(ErrorCode::bad_value, call.place(name),
+                fmt::format("'{}' of '{}' must be an opaque colour", name, call.name()), "it has no use for an opacity",
+                "write #rrggbb");
+  }
+  return linear_from(color);
+}
+
+}  // namespace csgcast::text
