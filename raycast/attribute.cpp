@@ -31,6 +31,10 @@ Attribution Caster::attribute(NodeId node, const Hit& hit) {
   state.neighbourhood.move_to(node, hit.crossing);
   Attribution result;
   result.leaf = state.neighbourhood.bounding_leaf();
+  if (!result.leaf.valid()) {
+    throw Error(ErrorCode::usage, {}, "a hit was asked about that is not on this ray or solid", "no face of it is there",
+                "ask with the ray and node that gave the hit");
+  }
   const Leaf& leaf = scene.leaf(result.leaf);
   result.region = leaf.region;
   result.part = leaf.part;

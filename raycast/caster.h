@@ -84,7 +84,7 @@ class Caster {
   void interfaces(std::vector<Interface>& list, Span span = {});
 
   /// The leaf, part, look and normal of a boundary crossing of the present ray, as a boundary of the whole solid or of
-  /// one of its nodes.
+  /// one of its nodes. Throws Error(usage) for a hit that is none.
   Attribution attribute(const Hit& hit) { return attribute(scene().root(), hit); }
   Attribution attribute(NodeId node, const Hit& hit);
   /// The look of what is inside a node next to one of its boundary crossings: the first leaf in file order, of those

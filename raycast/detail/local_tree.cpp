@@ -13,17 +13,22 @@ Truth negated(Truth value) { return static_cast<Truth>(2 - static_cast<int>(valu
 void LocalTree::clear() {
   entries_.clear();
   children_.clear();
+  parent_.clear();
   leaves_.clear();
+  entry_of_.clear();
   frames_.clear();
   pending_.clear();
 }
 
 void LocalTree::add(Entry entry) {
-  pending_.push_back(static_cast<std::uint32_t>(entries_.size()));
+  const auto index = static_cast<std::uint32_t>(entries_.size());
+  pending_.push_back(index);
   entries_.push_back(entry);
+  parent_.push_back(index);
 }
 
 void LocalTree::add_leaf(LeafId leaf) {
+  entry_of_.push_back(static_cast<std::uint32_t>(entries_.size()));
   add({Node::Op::leaf, static_cast<std::uint32_t>(leaves_.size()), 0});
   leaves_.push_back(leaf);
 }
@@ -34,20 +39,22 @@ void LocalTree::close() {
   frames_.pop_back();
   const Entry entry{frame.node->op, static_cast<std::uint32_t>(children_.size()),
                     static_cast<std::uint32_t>(pending_.size() - frame.pending)};
+  for (std::size_t i = frame.pending; i < pending_.size(); ++i)
+    parent_[pending_[i]] = static_cast<std::uint32_t>(entries_.size());
   children_.insert(children_.end(), pending_.begin() + static_cast<std::ptrdiff_t>(frame.pending), pending_.end());
   pending_.resize(frame.pending);
   add(entry);
 }
 
-Truth LocalTree::value_of(const Entry& entry, std::span<const Truth> leaf_truth) const {
-  const auto children = std::span(children_).subspan(entry.op == Node::Op::leaf ? 0 : entry.first, entry.count);
+// Of an entry with children, from theirs.
+Truth LocalTree::value_of(const Entry& entry) const {
+  const auto children = std::span(children_).subspan(entry.first, entry.count);
   switch (entry.op) {
+    case Node::Op::leaf:
     case Node::Op::empty:
       return Truth::no;
     case Node::Op::everything:
       return Truth::yes;
-    case Node::Op::leaf:
-      return leaf_truth[entry.first];
     case Node::Op::complement:
       return negated(value_[children[0]]);
     case Node::Op::unite: {
@@ -71,7 +78,22 @@ Truth LocalTree::value_of(const Entry& entry, std::span<const Truth> leaf_truth)
 
 Truth LocalTree::evaluate(std::span<const Truth> leaf_truth) {
   value_.resize(entries_.size());
-  for (std::size_t i = 0; i < entries_.size(); ++i) value_[i] = value_of(entries_[i], leaf_truth);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const Entry& entry = entries_[i];
+    value_[i] = entry.op == Node::Op::leaf ? leaf_truth[entry.first] : value_of(entry);
+  }
+  return value_.back();
+}
+
+Truth LocalTree::update(std::size_t slot, Truth leaf_truth) {
+  std::uint32_t at = entry_of_[slot];
+  Truth value = leaf_truth;
+  while (value_[at] != value) {
+    value_[at] = value;
+    if (parent_[at] == at) break;
+    at = parent_[at];
+    value = value_of(entries_[at]);
+  }
   return value_.back();
 }
 

@@ -39,6 +39,9 @@ class LocalTree {
   std::span<const LeafId> leaves() const { return leaves_; }
   /// The root's truth, given that of each leaf (by slot).
   Truth evaluate(std::span<const Truth> leaf_truth);
+  /// Changes one leaf's truth since the last evaluation and follows it to the root: its truth now. Costs the leaf's
+  /// depth at most.
+  Truth update(std::size_t slot, Truth leaf_truth);
   /// Of the leaves that hold the place and that no operator subtracts or leaves out, the first in file order. Looks at
   /// the last evaluation.
   LeafId first_holding_leaf();
@@ -68,11 +71,13 @@ class LocalTree {
   void close();
   void add(Entry entry);
   void add_leaf(LeafId leaf);
-  Truth value_of(const Entry& entry, std::span<const Truth> leaf_truth) const;
+  Truth value_of(const Entry& entry) const;
 
   std::vector<Entry> entries_;           // children before parents; the root last
   std::vector<std::uint32_t> children_;  // indices of entries
+  std::vector<std::uint32_t> parent_;    // by entry; the root's is its own
   std::vector<LeafId> leaves_;
+  std::vector<std::uint32_t> entry_of_;  // by slot
   std::vector<Truth> value_;
   std::vector<std::uint8_t> active_;
   std::vector<Frame> frames_;

@@ -2,8 +2,8 @@
 #include "raycast/detail/neighbourhood.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "raycast/detail/box_line.h"
 
@@ -19,108 +19,106 @@ void Neighbourhood::move_to(NodeId node, const Crossing& crossing) {
     return may_meet(box, cache_.ray(), span);
   });
   positions_.clear();
-  group_.clear();
+  leaf_start_.clear();
   bases_.clear();
   chosen_ = not_in_group;
   for (std::uint32_t slot = 0; slot < tree_.leaves().size(); ++slot) add_leaf(slot, tree_.leaves()[slot], crossing);
-  sort_group();
-  leaf_truth_.assign(tree_.leaves().size(), Truth::no);
-  reset_flips();
+  leaf_start_.push_back(static_cast<std::uint32_t>(positions_.size()));
+  gather_group();
 }
 
 void Neighbourhood::add_leaf(std::uint32_t slot, LeafId leaf, const Crossing& crossing) {
+  leaf_start_.push_back(static_cast<std::uint32_t>(positions_.size()));
   for (const HalfSpace& half_space : scene_.half_spaces(scene_.leaf(leaf))) {
     const LineCache::Rank rank = cache_.rank(half_space.surface, crossing);
     const LineCrossings& found = cache_.found(half_space.surface);
     const bool wants_positive = half_space.sense == Sense::positive;
-    positions_.push_back({slot,
-                          rank.ties ? group_of(half_space.surface, rank.before) : not_in_group,
+    positions_.push_back({half_space.surface,
+                          slot,
+                          rank.ties ? 0 : not_in_group,
+                          rank.before,
                           {found.positive_after(rank.before) == wants_positive,
-                           found.positive_after(rank.before + (rank.ties ? 1u : 0u)) == wants_positive}});
+                           found.positive_after(rank.before + (rank.ties ? 1u : 0u)) == wants_positive},
+                          false});
   }
 }
 
-std::uint32_t Neighbourhood::group_of(SurfaceId surface, std::uint8_t root) {
-  const auto known =
-      std::find_if(group_.begin(), group_.end(), [&](const Crossing& c) { return c.surface == surface; });
-  const auto index = static_cast<std::uint32_t>(known - group_.begin());
-  if (known == group_.end()) group_.push_back(cache_.crossing(surface, root));
-  return index;
+// Sorts the positions that tie by surface, then by leaf.
+void Neighbourhood::gather_group() {
+  by_group_.clear();
+  group_.clear();
+  group_start_.clear();
+  for (std::uint32_t i = 0; i < positions_.size(); ++i) {
+    if (positions_[i].group != not_in_group) by_group_.push_back(i);
+  }
+  const auto key = [this](std::uint32_t i) {
+    return std::pair(positions_[i].surface, tree_.leaves()[positions_[i].slot]);
+  };
+  std::sort(by_group_.begin(), by_group_.end(), [&](auto a, auto b) { return key(a) < key(b); });
+  for (std::uint32_t k = 0; k < by_group_.size(); ++k) {
+    Position& position = positions_[by_group_[k]];
+    if (group_.empty() || group_.back().surface != position.surface) {
+      group_.push_back(cache_.crossing(position.surface, position.root));
+      group_start_.push_back(k);
+    }
+    position.group = static_cast<std::uint32_t>(group_.size() - 1);
+  }
+  group_start_.push_back(static_cast<std::uint32_t>(by_group_.size()));
 }
 
-void Neighbourhood::sort_group() {
-  if (group_.size() < 2) return;
-  std::vector<std::uint32_t> order(group_.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return group_[a].surface < group_[b].surface; });
-  std::vector<std::uint32_t> new_index(group_.size());
-  std::vector<Crossing> sorted;
-  for (const std::uint32_t old : order) {
-    new_index[old] = static_cast<std::uint32_t>(sorted.size());
-    sorted.push_back(group_[old]);
+Truth Neighbourhood::leaf_truth(std::uint32_t slot) const {
+  for (std::uint32_t i = leaf_start_[slot]; i < leaf_start_[slot + 1]; ++i) {
+    if (positions_[i].holds[side_] == positions_[i].flipped) return Truth::no;
   }
-  group_ = std::move(sorted);
+  return Truth::yes;
+}
+
+// Evaluates the node in a state: its value there.
+bool Neighbourhood::set_base(const Base& base) {
+  side_ = base.side;
   for (Position& position : positions_) {
-    if (position.group != not_in_group) position.group = new_index[position.group];
+    position.flipped = position.group != not_in_group && position.group < base.flipped_groups;
   }
-}
-
-// The node's value on one side of the crossing, with the flips applied.
-bool Neighbourhood::root_value(Side side) {
-  std::fill(leaf_truth_.begin(), leaf_truth_.end(), Truth::yes);
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    const Position& position = positions_[i];
-    if (position.holds[side] == (flipped_[i] != 0)) leaf_truth_[position.slot] = Truth::no;
-  }
+  leaf_truth_.resize(tree_.leaves().size());
+  for (std::uint32_t slot = 0; slot < leaf_truth_.size(); ++slot) leaf_truth_[slot] = leaf_truth(slot);
   return tree_.evaluate(leaf_truth_) == Truth::yes;
 }
 
-void Neighbourhood::flip_group(std::uint32_t group) {
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    if (positions_[i].group == group) flipped_[i] = !flipped_[i];
-  }
-}
-
-void Neighbourhood::flip_copy(std::uint32_t group, std::uint32_t slot) {
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    if (positions_[i].group == group && positions_[i].slot == slot) flipped_[i] = !flipped_[i];
-  }
-}
-
-void Neighbourhood::set_base(const Base& base) {
-  reset_flips();
-  for (std::uint32_t group = 0; group < base.flipped_groups; ++group) flip_group(group);
+// Flips half-spaces in the present state: the node's value then. Positions of one leaf stand together.
+bool Neighbourhood::flip(std::span<const std::uint32_t> positions) {
+  for (const std::uint32_t i : positions) positions_[i].flipped = !positions_[i].flipped;
+  Truth value = Truth::no;
+  for (const std::uint32_t i : positions) value = tree_.update(positions_[i].slot, leaf_truth(positions_[i].slot));
+  return value == Truth::yes;
 }
 
 // The lowest surface whose flip alone, before or after, changes the result.
 bool Neighbourhood::chosen_by_single_flip() {
-  reset_flips();
-  const bool value[2] = {root_value(before), root_value(after)};
-  for (std::uint32_t group = 0; group < group_.size(); ++group) {
-    reset_flips();
-    flip_group(group);
-    for (const Side side : {before, after}) {
-      if (root_value(side) != value[side]) bases_.push_back({side, 0});
+  for (const Side side : {before, after}) {
+    const bool start = set_base({side, 0});
+    for (std::uint32_t group = 0; group < group_.size() && group <= chosen_; ++group) {
+      const bool changes = flip(positions_of(group)) != start;
+      flip(positions_of(group));
+      if (!changes) continue;
+      if (group < chosen_) bases_.clear();
+      chosen_ = group;
+      bases_.push_back({side, 0});
+      break;
     }
-    if (bases_.empty()) continue;
-    chosen_ = group;
-    return true;
   }
-  return false;
+  return chosen_ != not_in_group;
 }
 
 // Flips the surfaces one by one in ascending order, from both sides; the lower of the first ones that change the
 // result.
 void Neighbourhood::chosen_by_walk() {
   for (const Side side : {before, after}) {
-    reset_flips();
-    const bool start = root_value(side);
-    for (std::uint32_t group = 0; group < group_.size(); ++group) {
-      flip_group(group);
-      if (root_value(side) == start) continue;
+    const bool start = set_base({side, 0});
+    for (std::uint32_t group = 0; group < group_.size() && group <= chosen_; ++group) {
+      if (flip(positions_of(group)) == start) continue;
       if (group < chosen_) bases_.clear();
-      if (group <= chosen_) bases_.push_back({side, group});
-      chosen_ = std::min(chosen_, group);
+      chosen_ = group;
+      bases_.push_back({side, group});
       break;
     }
   }
@@ -146,13 +144,13 @@ Crossing Neighbourhood::bounding_crossing() {
 
 // The first leaf whose copy of the chosen surface alone, flipped in a base state on one side, changes the result.
 std::optional<std::uint32_t> Neighbourhood::first_single_copy(Side side) {
-  for (const std::uint32_t slot : owners_) {
-    for (const Base& base : bases_) {
-      if (base.side != side) continue;
-      set_base(base);
-      const bool start = root_value(side);
-      flip_copy(chosen_, slot);
-      if (root_value(side) != start) return slot;
+  for (const Base& base : bases_) {
+    if (base.side != side) continue;
+    const bool start = set_base(base);
+    for (std::size_t owner = 0; owner < owner_count(); ++owner) {
+      const bool changes = flip(copy(owner)) != start;
+      flip(copy(owner));
+      if (changes) return slot_of(owner);
     }
   }
   return std::nullopt;
@@ -160,46 +158,35 @@ std::optional<std::uint32_t> Neighbourhood::first_single_copy(Side side) {
 
 // Among the leaves that own the chosen surface: single copies in the state inside the solid, then in the state outside,
 // then walks. LeafIds ascend in file order.
-std::uint32_t Neighbourhood::first_slot_by_copies() {
-  std::vector<std::uint32_t>& slots = owners_;
-  slots.clear();
-  for (const Position& position : positions_) {
-    if (position.group == chosen_) slots.push_back(position.slot);
+std::uint32_t Neighbourhood::owner_by_copies() {
+  const std::span<const std::uint32_t> owned = positions_of(chosen_);
+  owner_start_.clear();
+  for (std::uint32_t k = 0; k < owned.size(); ++k) {
+    if (k == 0 || positions_[owned[k]].slot != positions_[owned[k - 1]].slot) owner_start_.push_back(k);
   }
-  std::sort(slots.begin(), slots.end(), [&](auto a, auto b) { return tree_.leaves()[a] < tree_.leaves()[b]; });
-  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
-  if (slots.size() == 1) return slots.front();
-  const Side inside = (reset_flips(), root_value(after)) ? after : before;
+  owner_start_.push_back(static_cast<std::uint32_t>(owned.size()));
+  if (owner_count() == 1) return slot_of(0);
+  const Side inside = set_base({after, 0}) ? after : before;
   if (const auto slot = first_single_copy(inside)) return *slot;
   if (const auto slot = first_single_copy(inside == after ? before : after)) return *slot;
-  std::size_t best = slots.size();
+  std::size_t best = owner_count();
   for (const Base& base : bases_) {
-    set_base(base);
-    const bool start = root_value(base.side);
-    for (std::size_t k = 0; k < best; ++k) {
-      flip_copy(chosen_, slots[k]);
-      if (root_value(base.side) != start) best = k;
+    const bool start = set_base(base);
+    for (std::size_t owner = 0; owner < best; ++owner) {
+      if (flip(copy(owner)) != start) best = owner;
     }
   }
-  if (best < slots.size()) return slots[best];
-  return slots.front();
+  return slot_of(best < owner_count() ? best : 0);
 }
 
 LeafId Neighbourhood::bounding_leaf() {
   choose_surface();
-  if (chosen_ != not_in_group) return tree_.leaves()[first_slot_by_copies()];
-  // No near leaf owns the surface: culling by plain double roots was off. Any owner is better than none.
-  for (std::uint32_t leaf = 0; leaf < scene_.leaves().size(); ++leaf) {
-    for (const HalfSpace& half_space : scene_.half_spaces(scene_.leaves()[leaf])) {
-      if (half_space.surface == crossing_.surface) return LeafId(leaf);
-    }
-  }
-  return {};
+  // Without a group no near leaf owns the surface: it is no crossing of this node.
+  return chosen_ == not_in_group ? LeafId() : tree_.leaves()[owner_by_copies()];
 }
 
 LeafId Neighbourhood::holding_leaf(Passage passage) {
-  reset_flips();
-  root_value(passage == Passage::entry ? after : before);
+  set_base({passage == Passage::entry ? after : before, 0});
   return tree_.first_holding_leaf();
 }
 

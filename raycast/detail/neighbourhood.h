@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "raycast/detail/line_cache.h"
@@ -34,9 +35,12 @@ class Neighbourhood {
 
   // One half-space of one near leaf.
   struct Position {
+    SurfaceId surface;
     std::uint32_t slot;   // of the leaf
     std::uint32_t group;  // index into group_ if its surface ties with the crossing
+    std::uint8_t root;    // which of the surface's crossings ties
     bool holds[2];        // before and after
+    bool flipped;
   };
   // A state to flip things in: a side, with some surfaces flipped already.
   struct Base {
@@ -45,28 +49,36 @@ class Neighbourhood {
   };
 
   void add_leaf(std::uint32_t slot, LeafId leaf, const Crossing& crossing);
-  std::uint32_t group_of(SurfaceId surface, std::uint8_t root);
-  void sort_group();
-  bool root_value(Side side);
-  void reset_flips() { flipped_.assign(positions_.size(), 0); }
-  void flip_group(std::uint32_t group);
-  void flip_copy(std::uint32_t group, std::uint32_t slot);
+  void gather_group();
+  std::span<const std::uint32_t> positions_of(std::uint32_t group) const {
+    return std::span(by_group_).subspan(group_start_[group], group_start_[group + 1] - group_start_[group]);
+  }
+  bool set_base(const Base& base);
+  bool flip(std::span<const std::uint32_t> positions);
+  Truth leaf_truth(std::uint32_t slot) const;
   void choose_surface();
   bool chosen_by_single_flip();
   void chosen_by_walk();
-  std::uint32_t first_slot_by_copies();
+  std::uint32_t owner_by_copies();
   std::optional<std::uint32_t> first_single_copy(Side side);
-  void set_base(const Base& base);
+  std::span<const std::uint32_t> copy(std::size_t owner) const {
+    return positions_of(chosen_).subspan(owner_start_[owner], owner_start_[owner + 1] - owner_start_[owner]);
+  }
+  std::size_t owner_count() const { return owner_start_.size() - 1; }
+  std::uint32_t slot_of(std::size_t owner) const { return positions_[copy(owner).front()].slot; }
 
   const Scene& scene_;
   LineCache& cache_;
   LocalTree tree_;
   Crossing crossing_;
-  std::vector<Position> positions_;    // by slot, ascending
-  std::vector<Crossing> group_;        // the crossings that tie, ascending by surface
-  std::vector<std::uint8_t> flipped_;  // by position
+  Side side_ = before;                      // of the state that the tree was last evaluated in
+  std::vector<Position> positions_;         // by slot, ascending
+  std::vector<std::uint32_t> leaf_start_;   // where each slot's positions start, and the end
+  std::vector<Crossing> group_;             // the crossings that tie, ascending by surface
+  std::vector<std::uint32_t> by_group_;     // positions that tie, by group, then by leaf in file order
+  std::vector<std::uint32_t> group_start_;  // where each group's start in by_group_, and the end
+  std::vector<std::uint32_t> owner_start_;  // the same for the leaves that own the chosen surface
   std::vector<Truth> leaf_truth_;
-  std::vector<std::uint32_t> owners_;    // slots of the leaves that own the chosen surface
   std::uint32_t chosen_ = not_in_group;  // index into group_
   std::vector<Base> bases_;              // the states in which flipping the chosen surface changes the result
 };
