@@ -12,7 +12,7 @@ namespace {
 
 // Unions of more children than this are split in two.
 constexpr std::size_t widest_union = 4;
-// Culling must not depend on the last bits of plain double roots: boxes of nodes are widened by this share of their
+// Culling must not depend on the last bits of slab tests: boxes of nodes are widened by this share of their
 // coordinates.
 constexpr double margin = 0x1p-30;
 

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// What certification costs: first hits and whole lists of 256 x 256 parallel rays with certified and with uncertified
+// predicates, in turn, nine times; the median of the ratios of their times. And how many rays needed exact arithmetic:
+// on those rays, and on rays along the axes.
+// Usage: bench_certification SCENE.csg ..
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "csg/text/builder.h"
+#include "csg/text/reader.h"
+#include "raycast/caster.h"
+#include "tests/bench/rays_across.h"
+
+namespace csgcast::bench {
+namespace {
+
+constexpr int side = 256;
+constexpr int passes = 9;
+
+template <class Query>
+double seconds(Caster& caster, const std::vector<Ray>& rays, const Query& query) {
+  const auto start = std::chrono::steady_clock::now();
+  for (const Ray& ray : rays) {
+    caster.begin(ray);
+    query(caster);
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Time with certificates over time without.
+template <class Query>
+double cost(const Scene& scene, const std::vector<Ray>& rays, const Query& query) {
+  Caster certified(scene);
+  Caster uncertified(scene, uncertified_predicates());
+  seconds(certified, rays, query);
+  std::vector<double> ratios;
+  for (int pass = 0; pass < passes; ++pass) {
+    const double with = seconds(certified, rays, query);
+    ratios.push_back(with / seconds(uncertified, rays, query));
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + passes / 2, ratios.end());
+  return ratios[passes / 2];
+}
+
+double share_flagged(const Scene& scene, const std::vector<Ray>& rays) {
+  Caster caster(scene);
+  IntervalList list;
+  for (const Ray& ray : rays) {
+    caster.begin(ray);
+    caster.intervals(list);
+  }
+  return static_cast<double>(caster.counts().rays_flagged) / static_cast<double>(rays.size());
+}
+
+void report(const std::string& file) {
+  const Scene scene = compile(text::build(text::read_file(file)).solid);
+  const Box& box = scene.bounded_leaves();
+  const std::vector<Ray> rays = rays_across(box, normalised({-0.61, 0.37, -0.29}), side);
+  IntervalList list;
+  const double first = cost(scene, rays, [](Caster& caster) { caster.first_hit({}, Rounding::close); });
+  const double all = cost(scene, rays, [&list](Caster& caster) { caster.intervals(list); });
+  fmt::print("{:24} {:10.3f} {:10.3f} {:10.1e} {:8.1e} {:8.1e} {:8.1e}\n", std::filesystem::path(file).stem().string(),
+             first, all, share_flagged(scene, rays), share_flagged(scene, rays_across(box, {-1, 0, 0}, side)),
+             share_flagged(scene, rays_across(box, {0, 1, 0}, side)),
+             share_flagged(scene, rays_across(box, {0, 0, -1}, side)));
+}
+
+}  // namespace
+}  // namespace csgcast::bench
+
+int main(int argc, char** argv) {
+  try {
+    fmt::print("time certified / uncertified (lists: t rounded to nearest / as it comes), and share of rays flagged\n");
+    fmt::print("{:24} {:>10} {:>10} {:>10} {:>8} {:>8} {:>8}\n", "scene", "first hit", "lists", "oblique", "-x", "+y",
+               "-z");
+    for (int i = 1; i < argc; ++i) csgcast::bench::report(argv[i]);
+  } catch (const csgcast::Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+}
