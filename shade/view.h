@@ -21,7 +21,7 @@ struct View {
 /// pale blue sky.
 View make_view(const SceneDescription& description, const Scene& scene, double aspect);
 
-/// A camera from above the front left that has the whole box in the picture with a small margin; of a box that is null
+/// A camera from above the front right that has the whole box in the picture with a small margin; of a box that is null
 /// or infinite: a unit cube's.
 CameraDescription framing_camera(const Box& box, double aspect);
 

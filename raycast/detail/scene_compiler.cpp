@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "csg/simplify.h"
@@ -24,9 +25,9 @@ bool passes_through(const Solid& solid) {
 constexpr double greatest = 0x1p400;
 constexpr double least = 0x1p-400;
 
-void check_range(const Box& box, const Place& place) {
+void check_range(const Box& box, bool is_bounded, const Place& place) {
   if (box.is_null()) return;
-  double farthest = 0;
+  double farthest = is_bounded && !box.is_finite() ? std::numeric_limits<double>::infinity() : 0;
   double longest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const double side : {box.lower[axis], box.upper[axis]}) {
@@ -185,7 +186,7 @@ NodeId SceneCompiler::add_leaf(const Solid& solid, const Context& context) {
   static const ExactAffine identity;
   const ExactAffine* moved = context.world_from_solid.get();
   const Box box = world_bounds(solid.shape(), moved ? *moved : identity);
-  check_range(box, solid.place());
+  check_range(box, solid.shape().bounds.is_finite(), solid.place());
   Leaf leaf;
   leaf.first = static_cast<std::uint32_t>(scene_.half_spaces_.size());
   leaf.kind = solid.shape().kind;

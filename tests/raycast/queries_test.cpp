@@ -235,3 +235,15 @@ TEST_CASE("transforms that cannot be composed exactly in reason are refused") {
   for (int i = 0; i < 2000; ++i) moved = at(moved, {0.1, 0, 0});
   CHECK_NOTHROW(compile(moved));
 }
+
+TEST_CASE("solids beyond the range of the engine are refused, those at its ends are not") {
+  const auto scaled = [](double s) { return transformed(box({1, 1, 1}), scaling({s, s, s})); };
+  CHECK_THROWS_AS(compile(scaled(0x1p401)), Error);
+  CHECK_THROWS_AS(compile(transformed(scaled(1e200), scaling({1e200, 1e200, 1e200}))), Error);
+  CHECK_THROWS_AS(compile(scaled(0x1p-401)), Error);
+  for (const double s : {0x1p399, 0x1p-399}) {
+    Scenery scenery(scaled(s));
+    scenery.caster.begin(Ray({-s, s / 2, s / 2}, {s, 0, 0}));
+    CHECK(scenery.caster.first_hit().value().crossing.t == 1);
+  }
+}
