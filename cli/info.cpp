@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+
 #include "cli/commands.h"
+#include "cli/distinct_files.h"
 #include "cli/json.h"
 #include "cli/number.h"
 #include "cli/output.h"
+#include "cli/printable.h"
 #include "cli/scene_input.h"
 #include "cli/scene_summary.h"
 
@@ -73,7 +77,7 @@ std::string as_text(const Info& info) {
   const Scene& scene = info.input.scene;
   const SceneDescription& description = info.input.description;
   std::string out;
-  append_row(out, "file", info.document.file);
+  append_row(out, "file", printable(info.document.file));
   append_row(out, "statements", fmt::format("{}: {}", info.statements.total, list(info.statements.by_name)));
   append_row(out, "depth", fmt::format("{}", info.statements.depth));
   append_row(out, "leaves", fmt::format("{}: {}", scene.leaves().size(), list(info.leaves.by_kind)));
@@ -85,8 +89,8 @@ std::string as_text(const Info& info) {
   for (std::size_t i = 0; i < scene.parts().size(); ++i) {
     const Part& part = scene.parts()[i];
     append_row(out, "",
-               fmt::format("{} at {}:{}  density {}  leaves {}", part.name.name, part.place.line, part.place.column,
-                           number(part.name.density), info.leaves.by_part[i]));
+               fmt::format("{} at {}:{}  density {}  leaves {}", printable(part.name.name), part.place.line,
+                           part.place.column, number(part.name.density), info.leaves.by_part[i]));
   }
   append_row(out, "regions", fmt::format("{} (runs of one part and look)", scene.regions().size()));
   append_row(out, "looks",
@@ -187,6 +191,7 @@ std::string as_json(const Info& info) {
 }
 
 void run(const InfoOptions& options) {
+  check_distinct(std::array{NamedFile{"the scene", options.scene.path}}, std::array{NamedFile{"-o", options.output}});
   Output output(options.output);
   const DocumentInput document = read_document(options.scene);
   const SceneInput input = compile_document(document, options.scene);

@@ -10,6 +10,7 @@
 #include "cli/csv.h"
 #include "cli/json.h"
 #include "cli/number.h"
+#include "cli/printable.h"
 #include "cli/table.h"
 
 namespace csgcast::cli {
@@ -149,7 +150,7 @@ void IntervalReport::append_table(std::string& out, std::uint64_t index, const R
     const std::string* part = part_name(faced.part);
     table.add({number(entry.t), number(exit.t), number((exit.t - entry.t) * length(ray.direction())),
                obliquity(ray, faced.entry), obliquity(ray, faced.exit), solid(faced.entry), solid(faced.exit),
-               part != nullptr ? *part : "-"});
+               part != nullptr ? printable(*part) : "-"});
   }
   table.append_to(out, "  ");
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
+#include <array>
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/distinct_files.h"
 #include "cli/interval_report.h"
 #include "cli/rows_option.h"
 #include "raycast/caster.h"
@@ -56,21 +57,21 @@ class IntervalWorker {
     found_.clear();
     const Scene& scene = caster_.scene();
     if (by_ == By::scene) {
-      add(scene.root(), std::nullopt, ray);
+      add(scene.root(), std::nullopt);
     } else {
-      for (std::uint32_t i = 0; i < scene.parts().size(); ++i) add(scene.parts()[i].node, PartId(i), ray);
+      for (std::uint32_t i = 0; i < scene.parts().size(); ++i) add(scene.parts()[i].node, PartId(i));
     }
     report_.append(text, row.index, ray, found_);
   }
 
  private:
   /// The intervals of one node; `part` is whose they are if that is known.
-  void add(NodeId node, std::optional<PartId> part, const Ray& ray) {
+  void add(NodeId node, std::optional<PartId> part) {
     caster_.intervals(node, list_, span_);
     for (const Interval& interval : list_) {
       FacedInterval faced{
           interval, face(node, interval.entry, Passage::entry), face(node, interval.exit, Passage::exit), {}};
-      faced.part = part ? *part : part_of(faced, ray);
+      faced.part = part ? *part : part_of(faced);
       found_.push_back(faced);
     }
   }
@@ -80,13 +81,17 @@ class IntervalWorker {
     return caster_.attribute(node, {crossing, passage});
   }
 
-  /// The part at the entry; of an interval that is cut off there, at the exit; cut off at both ends: at a place inside.
-  PartId part_of(const FacedInterval& faced, const Ray& ray) {
+  /// The part of the entry's face. Of an interval that is cut off at its start: the first part in file order that the
+  /// ray is in there, which intervals tell exactly, where the coordinates of the start would be rounded.
+  PartId part_of(const FacedInterval& faced) {
     if (faced.entry) return faced.entry->part;
-    if (faced.exit) return faced.exit->part;
-    const auto [entry, exit] = faced.interval;
-    if (std::isfinite(entry.t)) return caster_.part_at(ray.at(entry.t));
-    return caster_.part_at(std::isfinite(exit.t) ? ray.at(exit.t) : ray.origin());
+    const auto [start, end] = faced.interval;
+    const Scene& scene = caster_.scene();
+    for (std::uint32_t i = 0; i < scene.parts().size(); ++i) {
+      caster_.intervals(scene.parts()[i].node, part_list_, {start.t, end.t});
+      if (!part_list_.empty() && part_list_.front().entry.t == start.t) return PartId(i);
+    }
+    return {};
   }
 
   Caster caster_;
@@ -95,11 +100,14 @@ class IntervalWorker {
   Span span_;
   By by_;
   IntervalList list_;
+  IntervalList part_list_;
   std::vector<FacedInterval> found_;
 };
 
 void run(const IntervalsOptions& options) {
   const Span span = options.span();
+  check_distinct(std::array{NamedFile{"the scene", options.scene.path}, NamedFile{"--rays", options.rays.file}},
+                 std::array{NamedFile{"-o", options.output}});
   Rows rows(options.rays, options.scene);
   Output output(options.output);
   const SceneInput input = read_scene(options.scene);
@@ -135,7 +143,10 @@ Command intervals_command(CLI::App& program) {
   line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
   line->footer(
       "t counts in units of the direction. Normals are unit and point out of the solid; solids are named by the\n"
-      "line:column of their statement.\n\n"
+      "line:column of their statement. The columns of a file of rays stand in the order of --rays,\n"
+      "with a header or without.\n"
+      "With --by scene the part is that of the entry's face; of an interval that is cut off at its start, the first\n"
+      "part in the file that holds the start.\n\n"
       "Example:\n"
       "  csgcast intervals part.csg --ray 0,0,100,0,0,-1\n"
       "  csgcast intervals part.csg --rays rays.csv --format csv -o intervals.csv");

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+
 #include "cli/commands.h"
 #include "cli/csv.h"
+#include "cli/distinct_files.h"
 #include "cli/json.h"
 #include "cli/number.h"
+#include "cli/printable.h"
 #include "cli/rows_option.h"
 #include "raycast/caster.h"
 
@@ -84,7 +88,7 @@ class LocateWorker {
       return;
     }
     text += fmt::format("point {} at {},{},{}: {}", index, number(p.x), number(p.y), number(p.z), word(location));
-    text += part != nullptr ? fmt::format(", part {}\n", *part) : "\n";
+    text += part != nullptr ? fmt::format(", part {}\n", printable(*part)) : "\n";
   }
 
   Caster caster_;
@@ -92,6 +96,8 @@ class LocateWorker {
 };
 
 void run(const LocateOptions& options) {
+  check_distinct(std::array{NamedFile{"the scene", options.scene.path}, NamedFile{"--points", options.points.file}},
+                 std::array{NamedFile{"-o", options.output}});
   Rows rows(options.points, options.scene);
   Output output(options.output);
   const SceneInput input = read_scene(options.scene);
@@ -113,6 +119,7 @@ Command locate_command(CLI::App& program) {
              {{"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}});
   line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
   line->footer(
+      "The columns of a file of points stand in the order of --points, with a header or without.\n"
       "The part is the first in the file that has the point inside, else the first with the point on its boundary.\n\n"
       "Example:\n"
       "  csgcast locate part.csg --point 1,2,3\n"

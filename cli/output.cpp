@@ -13,6 +13,7 @@
 #include "cli/interrupt.h"
 #include "cli/usage.h"
 #include "csg/error.h"
+#include "shade/link_target.h"
 
 namespace csgcast::cli {
 namespace {
@@ -47,12 +48,6 @@ std::string cannot_write(const std::string& path, int error) {
               "choose a path in a folder that exists and may be written");
 }
 
-std::string with_links_followed(const std::string& path) {
-  std::error_code error;
-  const auto target = std::filesystem::weakly_canonical(path, error);
-  return error ? path : target.string();
-}
-
 /// A new file in the target's folder with the target's permissions; its name goes to `name`. -1 and errno if there can
 /// be none.
 int open_beside(const std::string& target, std::string& name) {
@@ -81,9 +76,10 @@ Output::Output(const std::string& path) : path_(path) {
 }
 
 void Output::open_target() {
-  target_ = with_links_followed(path_);
+  target_ = link_target(path_);
   struct stat existing {};
   const bool exists = ::stat(target_.c_str(), &existing) == 0;
+  if (!exists && errno == ELOOP) cannot_open(path_, ELOOP);
   if (exists && S_ISDIR(existing.st_mode)) cannot_open(path_, EISDIR);
   if (exists && !S_ISREG(existing.st_mode)) {
     file_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);

@@ -9,8 +9,9 @@ namespace csgcast::cli {
 /// Where a command's result goes: standard output, or a file that appears whole or not at all.
 ///
 /// A file is written beside its target under another name, which commit() changes to the target's; if it never comes to
-/// that, the target stays as it was and nothing is left behind, even after Ctrl-C. A link is followed; an existing
-/// file's permissions are kept. What is no regular file (a device, a pipe) is written to directly.
+/// that, the target stays as it was and nothing is left behind, even after Ctrl-C. A link is followed, also to a file
+/// that does not exist yet; an existing file's permissions are kept. What is no regular file (a device, a pipe) is
+/// written to directly.
 class Output {
  public:
   /// An empty path is standard output. Throws Error(input_output) if the path cannot be written (no such folder, no

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "cli/commands.h"
+#include "cli/distinct_files.h"
 #include "cli/output.h"
 #include "cli/render_stats.h"
 #include "cli/scene_input.h"
@@ -53,6 +56,14 @@ void check_film_memory(const RenderOptions& options) {
   }
 }
 
+void check_files(const RenderCommandOptions& options) {
+  std::vector<NamedFile> outputs;
+  if (!options.output.empty()) outputs.push_back({"-o", options.output});
+  if (!options.stats.empty()) outputs.push_back({"--stats", options.stats});
+  if (!options.trace_pixel.empty()) outputs.push_back({"--trace-pixel", ""});
+  check_distinct(std::array{NamedFile{"the scene", options.scene.path}}, outputs);
+}
+
 Job check(const RenderCommandOptions& options) {
   Job job{options.render, {}, {}};
   job.render.threads = thread_count(options.scene);
@@ -68,6 +79,7 @@ Job check(const RenderCommandOptions& options) {
     }
     job.pixel = {x, y};
   }
+  check_files(options);
   if (options.output.empty()) {
     if (!job.pixel) throw UsageError("-o is needed (where shall the picture go?)");
     if (!options.stats.empty()) throw UsageError("--stats needs -o (there is no picture to count rays of)");

@@ -55,6 +55,13 @@ SceneInput compile_document(const DocumentInput& input, const SceneOptions& opti
   const Stopwatch compile_watch;
   result.scene = compile(result.description.solid);
   result.compile_seconds = compile_watch.seconds();
+  if (result.scene.bounds().is_null()) {
+    Warning empty;
+    empty.place.file = input.document.file;
+    empty.text = "the scene is empty (no solid is left in it); rays meet nothing";
+    result.description.warnings.push_back(empty);
+    if (!options.quiet) fmt::print(stderr, "{}\n", to_string(empty));
+  }
   return result;
 }
 

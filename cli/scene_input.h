@@ -46,7 +46,8 @@ struct DocumentInput {
 
 DocumentInput read_document(const SceneOptions& options);
 
-/// Builds and compiles a document, and prints the warnings to standard error unless it shall be quiet.
+/// Builds and compiles a document, and prints the warnings, and one if it is empty, to standard error unless it shall
+/// be quiet.
 SceneInput compile_document(const DocumentInput& input, const SceneOptions& options);
 
 /// Both at once.

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "csg/error.h"
+#include "shade/link_target.h"
 
 namespace csgcast::detail {
 namespace {
@@ -65,8 +66,8 @@ void write_bytes(const fs::path& path, const std::string& target, std::span<cons
 
 void write_whole_file(const std::string& path, std::span<const std::byte> bytes) {
   std::error_code error;
-  const fs::path resolved = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
-  if (error && error != std::errc::no_such_file_or_directory) fail(path, error.message());
+  const fs::path resolved = link_target(path);
+  if (fs::is_symlink(resolved, error)) fail(path, "its links cannot be followed");
   if (fs::exists(resolved, error) && !fs::is_regular_file(resolved, error)) fail(path, "it is not a regular file");
   Temporary temporary(resolved);
   write_bytes(temporary.path(), path, bytes);

@@ -13,7 +13,8 @@ struct Hostile {
   std::string name;
   std::string text;  ///< of scene.csg, or of rows.csv
   int exit_code = 2;
-  std::string message;                   ///< how the one line on standard error begins; empty: nothing is said
+  std::string message;  ///< how the one line on standard error begins, empty if nothing is said; a warning
+                        ///< that leaves the scene empty is followed by a line that says so
   std::vector<std::string> arguments{};  ///< empty: render scene.csg
   RunOptions run{};
 };

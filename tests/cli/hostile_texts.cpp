@@ -15,8 +15,8 @@ std::string repeated(const std::string& text, std::size_t times) {
 std::vector<Hostile> hostile_texts() {
   constexpr std::size_t million = 1'000'000;
   return {
-      {"an empty file", "", 0, ""},
-      {"nothing but blanks", " \n\t\r\n", 0, ""},
+      {"an empty file", "", 0, " warning: the scene is empty"},
+      {"nothing but blanks", " \n\t\r\n", 0, " warning: the scene is empty"},
       {"the text ends in a name", "cube", 2, "1:5: error: "},
       {"the text ends in a list", "cube(size = [1, 2", 2, "1:13: error: '[' is never closed"},
       {"the text ends in arguments", "cube(size = 1", 2, "1:5: error: '(' is never closed"},

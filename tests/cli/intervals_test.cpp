@@ -89,6 +89,34 @@ TEST_CASE("by part: touching parts keep their own lists, the scene's list joins 
   CHECK(intervals(folder, by_part).out == columns + "0,1,2,-1,0,0,1,0,0,1:13,1:13,a\n0,2,3,-1,0,0,1,0,0,2:36,2:36,b\n");
 }
 
+TEST_CASE("the part of an interval that is cut off at its start is the one that holds the start") {
+  const SceneFolder folder(
+      "part(\"a\") { cube(1); }\npart(\"b\") { translate([1, 0, 0]) { cube(1); } }\ntranslate([2, 0, 0]) { cube(1); }");
+  const auto part = [&](const std::string& from, const std::string& direction) {
+    const std::string out =
+        intervals(folder, {"--ray", from + ",0.5,0.5," + direction + ",0,0", "--format", "csv"}).out;
+    return out.substr(out.rfind(',') + 1);
+  };
+  CHECK(part("0.5", "1") == "a\n");
+  CHECK(part("1.5", "1") == "b\n");
+  CHECK(part("1.5", "-1") == "b\n");
+  CHECK(part("1", "1") == "b\n");  // between both: the one that the ray runs into
+  CHECK(part("1", "-1") == "a\n");
+  CHECK(part("2.5", "1") == "\n");
+  CHECK(part("2.5", "-1") == "\n");
+}
+
+TEST_CASE("the part of an interval without a start is the one that the ray comes out of infinity in") {
+  const SceneFolder folder("part(\"a\") { halfspace([1, 0, 0], 0); }\npart(\"b\") { halfspace([-1, 0, 0], 0); }");
+  const auto part = [&](const std::string& direction) {
+    const std::string out =
+        intervals(folder, {"--ray", "5,0,0," + direction + ",0,0", "--line", "--format", "csv"}).out;
+    return out.substr(out.rfind(',') + 1);
+  };
+  CHECK(part("1") == "a\n");
+  CHECK(part("-1") == "b\n");
+}
+
 TEST_CASE("by part, a scene without parts is an error that says what to do") {
   const SceneFolder folder("cube(1);");
   const Outcome outcome = intervals(folder, {"--ray", "0,0,9,0,0,-1", "--by", "part"});

@@ -38,6 +38,20 @@ TEST_CASE("locate as JSON and as text") {
         "point 0 at 0.5,0.5,0: boundary, part left\n");
 }
 
+TEST_CASE("control characters in a part's name are escaped where people read it, and kept as CSV") {
+  const TemporaryFolder folder;
+  folder.write("scene.csg", "part(\"a\\nb\x1b[2Jc\x7f\\td\\re\xc3\xa9\") { cube(1); }");
+  const std::string shown = "a\\nb\\x1b[2Jc\\x7f\\td\\re\xc3\xa9";
+  CHECK(run(folder, {"locate", "scene.csg", "--point", "0.5,0.5,0.5"}).out ==
+        "point 0 at 0.5,0.5,0.5: inside, part " + shown + "\n");
+  CHECK(run(folder, {"locate", "scene.csg", "--point", "0.5,0.5,0.5", "--format", "csv"}).out ==
+        "point,location,part\n0,inside,\"a\nb\x1b[2Jc\x7f\td\re\xc3\xa9\"\n");
+  const std::string table = run(folder, {"intervals", "scene.csg", "--ray", "0.5,0.5,9,0,0,-1"}).out;
+  CHECK(table.find("  " + shown + "\n") != std::string::npos);
+  const std::string info = run(folder, {"info", "scene.csg"}).out;
+  CHECK(info.find("            " + shown + " at 1:1  density") != std::string::npos);
+}
+
 TEST_CASE("locate writes a file with -o and says nothing") {
   const SceneFolder folder;
   const Outcome outcome = run(folder, {"locate", "scene.csg", "--point", "9,9,9", "-o", "where.txt"});

@@ -38,6 +38,34 @@ TEST_CASE("an output goes through a link to the file that it names") {
   CHECK(folder.read("real.csv").substr(0, 4) == "ray,");
 }
 
+TEST_CASE("an output goes through links to a file that does not exist yet") {
+  const SceneFolder folder;
+  std::filesystem::create_directory(folder.path("results"));
+  std::filesystem::create_symlink("results/next", folder.path("link.csv"));
+  std::filesystem::create_symlink("new.csv", folder.path("results/next"));
+  CHECK(run(folder, ray_into("link.csv")).exit_code == 0);
+  CHECK(std::filesystem::is_symlink(folder.path("link.csv")));
+  CHECK(std::filesystem::is_symlink(folder.path("results/next")));
+  CHECK(folder.read("results/new.csv").substr(0, 4) == "ray,");
+}
+
+TEST_CASE("a picture goes through a link to a file that does not exist yet") {
+  const SceneFolder folder;
+  std::filesystem::create_symlink("new.png", folder.path("link.png"));
+  CHECK(run(folder, {"render", "scene.csg", "-o", "link.png", "--size", "8x6"}).exit_code == 0);
+  CHECK(std::filesystem::is_symlink(folder.path("link.png")));
+  CHECK(folder.read("new.png").substr(1, 3) == "PNG");
+}
+
+TEST_CASE("a link that leads nowhere but to itself cannot be written to") {
+  const SceneFolder folder;
+  std::filesystem::create_symlink("link.csv", folder.path("link.csv"));
+  const Outcome outcome = run(folder, ray_into("link.csv"));
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.err.find("link.csv: error: cannot write this file (Too many levels of symbolic links)") == 0);
+  CHECK(std::filesystem::is_symlink(std::filesystem::symlink_status(folder.path("link.csv"))));
+}
+
 TEST_CASE("a device is written to and stays a device") {
   const SceneFolder folder;
   CHECK(run(folder, ray_into("/dev/null")).exit_code == 0);

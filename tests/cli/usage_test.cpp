@@ -25,6 +25,14 @@ TEST_CASE("the option --help lists the commands, and each command's help shows a
   }
 }
 
+TEST_CASE("the help says that the columns of rows have an order, and what the part column means") {
+  const TemporaryFolder folder;
+  const std::string intervals = run(folder, {"intervals", "--help"}).out;
+  CHECK(contains(intervals, "in the order of --rays,"));
+  CHECK(contains(intervals, "the part is that of the entry's face"));
+  CHECK(contains(run(folder, {"locate", "--help"}).out, "in the order of --points,"));
+}
+
 TEST_CASE("the option --version names the program and its version") {
   const Outcome outcome = run(TemporaryFolder(), {"--version"});
   CHECK(outcome.exit_code == 0);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace csgcast::cli {
+
+/// A name as tables for people show it: control characters (below 0x20, and 0x7f), which could move the cursor or start
+/// a line, become `\n`, `\t`, `\r` or `\x1b`; everything else is as it is.
+std::string printable(std::string_view text);
+
+}  // namespace csgcast::cli
