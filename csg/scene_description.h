@@ -18,7 +18,7 @@ struct CameraDescription {
   Point eye{};
   Point look_at{};
   Vector up{0, 0, 1};
-  double fov = 30;               ///< vertical, degrees, in (0, 180)
+  double fov = 30;                 ///< vertical, degrees, in (0, 180)
   std::optional<double> height{};  ///< parallel projection if set
 };
 

@@ -32,8 +32,8 @@ Attribution Caster::attribute(NodeId node, const Hit& hit) {
   Attribution result;
   result.leaf = state.neighbourhood.bounding_leaf();
   if (!result.leaf.valid()) {
-    throw Error(ErrorCode::usage, {}, "a hit was asked about that is not on this ray or solid", "no face of it is there",
-                "ask with the ray and node that gave the hit");
+    throw Error(ErrorCode::usage, {}, "a hit was asked about that is not on this ray or solid",
+                "no face of it is there", "ask with the ray and node that gave the hit");
   }
   const Leaf& leaf = scene.leaf(result.leaf);
   result.region = leaf.region;
