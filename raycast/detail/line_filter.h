@@ -12,7 +12,7 @@ namespace csgcast::detail {
 
 std::optional<LineCrossings> filtered_plane(const LineFrame& line, const Surface& plane);
 std::optional<LineCrossings> filtered_quadric(const LineFrame& line, const Surface& quadric);
-/// Of the surface that the line departs from, towards `side`. `start` is tau at the ray's origin.
+/// Of the surface that the line departs from, towards `side`.
 std::optional<LineCrossings> filtered_departure(const Line& line, const Surface& surface);
 
 }  // namespace csgcast::detail
