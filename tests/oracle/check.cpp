@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
 #include "raycast/caster.h"
 #include "tests/oracle/exact_answer.h"
+#include "tests/oracle/nearest.h"
 #include "tests/oracle/queries.h"
 
 namespace csgcast::oracle {
@@ -42,24 +42,9 @@ std::string text_of_list(const List& list) {
   return result.empty() ? "nothing" : result;
 }
 
-// The place halfway from a double to the next one in a direction; beyond the last double, where the next one would be.
-Rational halfway_to_next(double t, double direction) {
-  const double next = std::nextafter(t, direction);
-  const Rational end =
-      std::isinf(next) ? Rational(2 * Rational(t) - Rational(std::nextafter(t, -direction))) : Rational(next);
-  return Rational((Rational(t) + end) / 2);
-}
-
-bool is_even(double t) { return (std::bit_cast<std::uint64_t>(t) & 1) == 0; }
-
-// Whether t is the nearest double to an exact number, ties to even.
-bool is_nearest(double t, const Rational& exact) {
-  constexpr double most = std::numeric_limits<double>::max();
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  if (std::isinf(t)) return t > 0 ? exact >= halfway_to_next(most, inf) : exact <= halfway_to_next(-most, -inf);
-  const int below = sign_of(Rational(exact - halfway_to_next(t, -inf)));
-  const int above = sign_of(Rational(halfway_to_next(t, inf) - exact));
-  return (below > 0 && above > 0) || (below * above == 0 && below + above > 0 && is_even(t));
+// Whether t is the nearest double to a fraction.
+bool is_nearest_to(double t, const Rational& exact) {
+  return is_nearest(t, [&exact](const Rational& number) { return sign_of(Rational(exact - number)); });
 }
 
 std::string_view name(Location location) {
@@ -142,7 +127,7 @@ class Examination {
     if (!expected.surface) return !found.surface.valid() && std::isfinite(found.t) && Rational(found.t) == *expected.t;
     if (!found.surface.valid() || found.surface != *expected.surface) return false;
     ++tally_.ends;
-    return is_nearest(found.t, *expected.t);
+    return is_nearest_to(found.t, *expected.t);
   }
 
   void complain(const std::string& text) { tally_.complain(title_ + ": " + text); }

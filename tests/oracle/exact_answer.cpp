@@ -34,7 +34,7 @@ struct LineStart {
 
 LineStart follow(const Subject& subject, const Ray& ray) {
   const RationalPoint origin = exact(ray.origin());
-  const RationalPoint direction{Rational(ray.direction().x), Rational(ray.direction().y), Rational(ray.direction().z)};
+  const RationalPoint direction = exact(ray.direction());
   LineStart line;
   for (std::size_t i = 0; i < subject.surfaces().size(); ++i) {
     const RationalPlane& plane = subject.surfaces()[i].plane;

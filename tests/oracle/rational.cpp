@@ -4,6 +4,8 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 namespace csgcast::oracle {
@@ -20,6 +22,31 @@ double approximate(const Rational& number) { return CGAL::to_double(number); }
 
 RationalPoint exact(Point p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
 
+RationalPoint exact(Vector v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
+
+// A decimal integer as the product prints it, times two as often as the exponent says, in steps that are doubles.
+Rational rational(const Dyadic& number) {
+  Rational value(number.mantissa().get_str());
+  for (std::int64_t left = number.exponent(); left != 0;) {
+    const std::int64_t step = std::clamp<std::int64_t>(left, -1000, 1000);
+    value *= Rational(std::ldexp(1.0, static_cast<int>(step)));
+    left -= step;
+  }
+  return value;
+}
+
+Rational primitive_factor(std::span<const Rational> coefficients) {
+  Integer numerators = 0;
+  Integer denominators = 1;
+  for (const Rational& c : coefficients) {
+    Integer numerator, denominator;
+    Fraction::Decompose()(c, numerator, denominator);
+    numerators = CGAL::gcd(numerators, numerator);
+    denominators = denominators * CGAL::integral_division(denominator, Integer(CGAL::gcd(denominators, denominator)));
+  }
+  return Fraction::Compose()(denominators, numerators);
+}
+
 Point nearest(const RationalPoint& p) { return {approximate(p[0]), approximate(p[1]), approximate(p[2])}; }
 
 Rational RationalPlane::at(const RationalPoint& p) const { return along(p) + coefficient[3]; }
@@ -29,15 +56,7 @@ Rational RationalPlane::along(const RationalPoint& direction) const {
 }
 
 RationalPlane RationalPlane::primitive() const {
-  Integer numerators = 0;
-  Integer denominators = 1;
-  for (const Rational& c : coefficient) {
-    Integer numerator, denominator;
-    Fraction::Decompose()(c, numerator, denominator);
-    numerators = CGAL::gcd(numerators, numerator);
-    denominators = denominators * CGAL::integral_division(denominator, Integer(CGAL::gcd(denominators, denominator)));
-  }
-  const Rational factor = Fraction::Compose()(denominators, numerators);
+  const Rational factor = primitive_factor(coefficient);
   RationalPlane scaled;
   for (std::size_t i = 0; i < 4; ++i) scaled.coefficient[i] = coefficient[i] * factor;
   return scaled;

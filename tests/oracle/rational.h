@@ -4,8 +4,10 @@
 #include <CGAL/Exact_rational.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
+#include "csg/exact/dyadic.h"
 #include "csg/transform.h"
 #include "csg/vector.h"
 
@@ -22,6 +24,11 @@ int sign_of(const Rational& number);
 double approximate(const Rational& number);
 
 RationalPoint exact(Point p);
+RationalPoint exact(Vector v);
+/// The product's number, read as mantissa and exponent.
+Rational rational(const Dyadic& number);
+/// The positive number that makes coefficients coprime integers. Precondition: not all are zero.
+Rational primitive_factor(std::span<const Rational> coefficients);
 /// Within an ulp: for choosing queries, never for judging answers.
 Point nearest(const RationalPoint& p);
 

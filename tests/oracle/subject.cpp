@@ -5,18 +5,9 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 
 namespace csgcast::oracle {
 namespace {
-
-// The product's number as it prints it: a decimal integer, doubled as often as its exponent says.
-Rational rational(const Dyadic& number) {
-  if (number.exponent() < 0) throw std::logic_error("a canonical form has integer coefficients");
-  Rational value(number.mantissa().get_str());
-  for (std::int64_t i = 0; i < number.exponent(); ++i) value *= 2;
-  return value;
-}
 
 // The product's integers as they stand: they must be the primitive ones, not only proportional.
 RationalPlane plane_of(const Surface& surface) {

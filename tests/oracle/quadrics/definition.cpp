@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "tests/oracle/quadrics/definition.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/oracle/quadrics/face_rules.h"
+
+namespace csgcast::oracle::quadrics {
+namespace {
+
+using State = Formula::State;
+
+constexpr std::size_t most_choices = 16;  // as a power of two
+
+struct Event {
+  Root t;
+  std::size_t surface;
+};
+
+struct LineStart {
+  State state;                // towards t = -infinity
+  std::vector<Event> events;  // ascending in t, ties by the product's id
+};
+
+// The sign of a polynomial before all its roots; one that vanishes everywhere counts as positive.
+bool is_positive_before(const LinePolynomial& polynomial) {
+  if (sign_of(polynomial.square) != 0) return sign_of(polynomial.square) > 0;
+  if (sign_of(polynomial.slope) != 0) return sign_of(polynomial.slope) < 0;
+  return sign_of(polynomial.value) >= 0;
+}
+
+State state_of(const Formula& formula, const std::vector<bool>& positive) {
+  State state;
+  for (const Copy& copy : formula.copies()) state.push_back(positive[copy.surface] == copy.positive);
+  return state;
+}
+
+LineStart start_of_line(const Subject& subject, const Ray& ray) {
+  const Formula& formula = subject.formula();
+  const RationalLine line{exact(ray.origin()), exact(ray.direction())};
+  std::vector<bool> positive;
+  LineStart start;
+  for (std::size_t i = 0; i < formula.surfaces().size(); ++i) {
+    const LinePolynomial polynomial = formula.surfaces()[i].along(line);
+    positive.push_back(is_positive_before(polynomial));
+    for (Root& root : Root::sign_changes(polynomial)) start.events.push_back({std::move(root), i});
+  }
+  start.state = state_of(formula, positive);
+  std::sort(start.events.begin(), start.events.end(), [&subject](const Event& a, const Event& b) {
+    const int order = compare(a.t, b.t);
+    return order != 0 ? order < 0 : subject.surface_id(a.surface) < subject.surface_id(b.surface);
+  });
+  return start;
+}
+
+DefinedEnd cut(double t) { return std::isfinite(t) ? DefinedEnd{Root(Rational(t)), std::nullopt} : DefinedEnd{}; }
+
+}  // namespace
+
+LineAnswer answer_on_line(const Subject& subject, const Ray& ray) {
+  const Formula& formula = subject.formula();
+  auto [state, events] = start_of_line(subject, ray);
+  LineAnswer answer;
+  answer.crossings = events.size();
+  bool is_inside = formula.value(state);
+  DefinedEnd entry;
+  for (auto next = events.begin(); next != events.end();) {
+    const Root t = next->t;
+    std::vector<std::size_t> group;
+    State after = state;
+    for (; next != events.end() && compare(next->t, t) == 0; ++next) {
+      group.push_back(next->surface);
+      after = formula.flipped(std::move(after), next->surface);
+    }
+    answer.ties += group.size() > 1 ? 1 : 0;
+    if (formula.value(after) != is_inside) {
+      const DefinedEnd end{t, face_at(subject, state, group)};
+      if (is_inside) answer.list.push_back({entry, end});
+      entry = end;
+      is_inside = !is_inside;
+    }
+    state = std::move(after);
+  }
+  if (is_inside) answer.list.push_back({entry, {}});
+  return answer;
+}
+
+DefinedList clipped(const DefinedList& line, Span span) {
+  const DefinedEnd from = cut(span.from);
+  const DefinedEnd to = cut(span.to);
+  DefinedList list;
+  for (DefinedInterval interval : line) {
+    if (from.t && interval.exit.t && compare(*interval.exit.t, *from.t) <= 0) continue;
+    if (to.t && interval.entry.t && compare(*interval.entry.t, *to.t) >= 0) continue;
+    if (from.t && (!interval.entry.t || compare(*interval.entry.t, *from.t) < 0)) interval.entry = from;
+    if (to.t && (!interval.exit.t || compare(*interval.exit.t, *to.t) > 0)) interval.exit = to;
+    list.push_back(interval);
+  }
+  return list;
+}
+
+PointAnswer answer_at_point(const Subject& subject, Point p) {
+  const Formula& formula = subject.formula();
+  const RationalPoint place = exact(p);
+  std::vector<bool> positive;
+  std::vector<std::size_t> zeros;
+  for (std::size_t i = 0; i < formula.surfaces().size(); ++i) {
+    const int sign = sign_of(formula.surfaces()[i].at(place));
+    positive.push_back(sign > 0);
+    if (sign == 0) zeros.push_back(i);
+  }
+  PointAnswer answer;
+  answer.zeros = zeros.size();
+  if (zeros.size() > most_choices) return answer;
+  State state = state_of(formula, positive);
+  const bool first = formula.value(state);
+  answer.location = first ? Location::inside : Location::outside;
+  for (std::uint32_t choice = 1; choice < (1u << zeros.size()); ++choice) {
+    // Gray code: one flip leads to the next choice.
+    state = formula.flipped(std::move(state), zeros[static_cast<std::size_t>(__builtin_ctz(choice))]);
+    if (formula.value(state) == first) continue;
+    answer.location = Location::boundary;
+    break;
+  }
+  return answer;
+}
+
+}  // namespace csgcast::oracle::quadrics

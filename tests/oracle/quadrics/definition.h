@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "raycast/ray.h"
+#include "tests/oracle/quadrics/root.h"
+#include "tests/oracle/quadrics/subject.h"
+
+namespace csgcast::oracle::quadrics {
+
+/// The face that makes an end of an interval. Surfaces and leaves are the formula's.
+struct Face {
+  std::size_t surface;
+  std::size_t leaf;
+  bool positive_before;               ///< the sign of the surface before the crossing
+  std::optional<std::size_t> holder;  ///< the first leaf that nothing subtracts and that holds the solid's side
+};
+
+/// An end of an interval along a line.
+struct DefinedEnd {
+  std::optional<Root> t;     ///< none: infinite
+  std::optional<Face> face;  ///< none: a span cuts here, or the line goes on for ever
+};
+
+struct DefinedInterval {
+  DefinedEnd entry;
+  DefinedEnd exit;
+};
+
+using DefinedList = std::vector<DefinedInterval>;
+
+/// The list of the definition along the whole line: every crossing of every surface, exact groups of ties, the whole
+/// formula between them, and the rules for surface and leaf at each end.
+struct LineAnswer {
+  DefinedList list;
+  std::uint64_t crossings = 0;
+  std::uint64_t ties = 0;  ///< groups of two or more
+};
+LineAnswer answer_on_line(const Subject& subject, const Ray& ray);
+
+/// What a span leaves of a list, by the rules for ends at, before and beyond the span's.
+DefinedList clipped(const DefinedList& line, Span span);
+
+/// Where a point is: by every choice of signs for the surfaces that are zero there. None if there are more than 2^16.
+struct PointAnswer {
+  std::optional<Location> location;
+  std::size_t zeros = 0;  ///< surfaces that vanish there
+};
+PointAnswer answer_at_point(const Subject& subject, Point p);
+
+}  // namespace csgcast::oracle::quadrics
