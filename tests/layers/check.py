@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Checks the rules of the house that no compiler checks. Usage: check.py PROJECT_FOLDER
 
-Includes point down only, cli -> shade -> raycast -> csg; they start with the module's name; a .cpp includes its own header
+Includes point down only, cli -> shade, verify -> raycast -> csg; they start with the module's name; a .cpp includes its own header
 first. What is below MODULE/detail/ is included by that module and by the tests, never by a public header. OpenImageIO is seen
 by one file of shade/, CGAL only by the tests. No file is longer than 400 lines, no function longer than 60 unless a comment
 `// long: REASON` stands right above it or inside it. Prints file:line: breach for each, and exits 1 if there is one.
@@ -11,7 +11,9 @@ import re
 import sys
 from pathlib import Path
 
-MODULES = ["csg", "raycast", "shade", "cli"]  # each may include itself and those before it
+BELOW = {"csg": [], "raycast": ["csg"], "shade": ["csg", "raycast"], "verify": ["csg", "raycast"],
+         "cli": ["csg", "raycast", "shade", "verify"]}  # what each module may include besides itself
+MODULES = list(BELOW)
 FOLDERS = MODULES + ["tests", "examples"]
 MAX_FILE, MAX_FUNCTION = 400, 60
 
@@ -67,7 +69,7 @@ def check_sizes(name, text):
 def check_includes(name, text, own_header):
     """`own_header`: the path of the header beside a .cpp, None if there is none."""
     module = name.split("/")[0]
-    visible = MODULES[:MODULES.index(module) + 1] if module in MODULES else FOLDERS
+    visible = BELOW[module] + [module] if module in MODULES else FOLDERS
     is_public_header = name.endswith(".h") and module in MODULES and "/detail/" not in name
     found = list(includes(text))
     if own_header and (not found or found[0][2] != own_header):

@@ -31,6 +31,10 @@ class Breach(unittest.TestCase):
     def test_an_include_that_points_up(self):
         self.assert_breach("csg/a.h:2: csg may not include raycast/b.h", {"csg/a.h": '\n#include "raycast/b.h"\n'})
 
+    def test_an_include_of_a_module_on_the_same_level(self):
+        self.assert_breach("shade may not include verify/b.h", {"shade/a.h": '#include "verify/b.h"\n'})
+        self.assert_breach("verify may not include shade/b.h", {"verify/a.h": '#include "shade/b.h"\n'})
+
     def test_an_include_beside_the_file(self):
         self.assert_breach("does not start with a module", {"csg/a.h": '#include "b.h"\n'})
 
@@ -75,7 +79,7 @@ class NoBreach(unittest.TestCase):
         self.assertEqual(breaches(files), [])
 
     def test_includes_that_point_down(self):
-        self.assert_clean({"cli/a.cpp": '#include <vector>\n#include "csg/b.h"\n#include "shade/c.h"\n'})
+        self.assert_clean({"cli/a.cpp": '#include <vector>\n#include "csg/b.h"\n#include "shade/c.h"\n#include "verify/d.h"\n'})
 
     def test_its_own_private_header(self):
         self.assert_clean({"csg/a.cpp": '#include "csg/detail/b.h"\n', "csg/detail/c.h": '#include "csg/detail/b.h"\n'})

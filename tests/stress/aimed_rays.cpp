@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "raycast/caster.h"
+#include "tests/stress/pieces.h"
 
 namespace csgcast::stress {
 namespace {
@@ -37,16 +38,16 @@ Point point_in(RandomSolids& random, const Box& box) {
   return box.lower + Vector{size.x * random.number(0, 1), size.y * random.number(0, 1), size.z * random.number(0, 1)};
 }
 
-bool is_ray(Point o, Vector d) { return is_finite(o) && is_finite(d) && d != Vector{} && Ray::in_range(o, d); }
-
-void add(Trial& trial, Point o, Vector d) {
-  if (is_ray(o, d)) trial.rays.emplace_back(o, d);
-}
-
-std::size_t ends(Caster& caster, IntervalList& list, const Ray& ray) {
+// What a ray sees, as far as the difference asks.
+void look(Caster& caster, const Ray& ray, Difference difference, IntervalList& list, std::vector<SurfaceId>& seen) {
   caster.begin(ray);
   caster.intervals(list, Span::line());
-  return list.size();
+  seen.clear();
+  for (const Interval& interval : list) {
+    const bool tell = difference == Difference::surfaces;
+    seen.push_back(tell ? interval.entry.surface : SurfaceId());
+    seen.push_back(tell ? interval.exit.surface : SurfaceId());
+  }
 }
 
 }  // namespace
@@ -115,22 +116,28 @@ void aim_at_middle(RandomSolids& random, Trial& trial, int rays, double distance
   }
 }
 
-void aim_by_bisection(RandomSolids& random, Trial& trial, int rays) {
+void aim_by_bisection(RandomSolids& random, Trial& trial, int rays, Difference difference, double distance) {
   const Scene scene = compile(trial.solid);
   Caster caster(scene);
   IntervalList list;
+  std::vector<SurfaceId> at_a;
+  std::vector<SurfaceId> seen;
   const Box box = target_box(trial.solid);
+  const double size = length(box.size());
+  if (!(size > 0)) return;
   for (int i = 0; i < rays; i += 8) {
-    const Point eye = Ray(box.center(), random.direction()).at(3);
+    const Point eye = box.center() + distance * size * random.direction();
     Vector a = point_in(random, box) - eye;
     Vector b = point_in(random, box) - eye;
-    if (!is_ray(eye, a) || !is_ray(eye, b)) continue;
-    const std::size_t at_a = ends(caster, list, Ray(eye, a));
-    if (ends(caster, list, Ray(eye, b)) == at_a) continue;
+    if (a == Vector{} || b == Vector{}) continue;
+    look(caster, Ray(eye, a), difference, list, at_a);
+    look(caster, Ray(eye, b), difference, list, seen);
+    if (seen == at_a) continue;
     for (int step = 0; step < 54; ++step) {
       const Vector middle = 0.5 * (a + b);
-      if (!is_ray(eye, middle)) break;
-      (ends(caster, list, Ray(eye, middle)) == at_a ? a : b) = middle;
+      if (middle == Vector{}) break;
+      look(caster, Ray(eye, middle), difference, list, seen);
+      (seen == at_a ? a : b) = middle;
       if (step > 45) add(trial, eye, middle);
     }
   }

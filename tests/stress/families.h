@@ -18,13 +18,14 @@ struct Trial {
   std::vector<Ray> rays;
 };
 
-/// A way to be hard: makes a trial of about `rays` rays from a seeded source. Each is where plain floating point goes
-/// wrong.
+/// A way to be hard: makes a trial of about `rays` rays from a seeded source, the same everywhere. Each is where plain
+/// floating point goes wrong.
 struct Family {
   std::string name;
   std::function<Trial(test::RandomSolids& random, int rays)> make;
 };
 
+/// All of them; their names differ.
 std::span<const Family> families();
 
 }  // namespace csgcast::stress

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verify/engine.h"
+
+namespace csgcast::verify {
+
+/// Counts of one engine over some rays.
+struct Tally {
+  std::uint64_t rays = 0;
+  std::uint64_t intervals = 0;        ///< on their whole lines, by exact arithmetic
+  std::uint64_t flagged = 0;          ///< rays with a decision that floating point left open
+  std::uint64_t exact_decisions = 0;  ///< how many those were, over all questions
+  std::uint64_t wrong = 0;            ///< rays with an answer that is not the exact stage's
+  Tally& operator+=(const Tally& other);
+  friend bool operator==(const Tally&, const Tally&) = default;
+};
+
+enum class Question : std::uint8_t { any_hit, first_hit, ray, line, reversed };
+/// "whole line", "first hit", ..
+std::string_view name(Question question);
+
+/// A ray that an engine answered wrongly, with the first question that shows it.
+struct Mismatch {
+  Ray ray;
+  std::string_view engine;
+  Question question;
+  std::string difference;  ///< what was found and what was expected
+};
+
+/// Compares engines on one scene with the exact stage: whole lists bit by bit (how many intervals, which surfaces,
+/// which t; the two zeros are equal), over [0, infinity) and the whole line, the list of the reversed ray, first_hit
+/// and any_hit. Roots are not compared: an engine numbers those that matter to the scene.
+///
+/// The exact stage is asked for two lists; the rest follows from these by definition. Working memory for one thread.
+class Comparison {
+ public:
+  /// The scene must outlive the comparison.
+  explicit Comparison(const Scene& scene, std::span<const EngineKind> kinds = engines());
+
+  /// Adds to the tallies, one for each engine, and appends mismatches while there are fewer than `most`.
+  void compare(std::span<const Ray> rays, std::span<Tally> tallies, std::vector<Mismatch>& mismatches,
+               std::size_t most);
+
+ private:
+  const Answers& expected(const Ray& ray);
+
+  Caster exact_;
+  std::vector<std::string_view> names_;
+  std::vector<std::unique_ptr<Engine>> engines_;
+  std::vector<std::vector<Answers>> answers_;  // for each engine, for each ray of a packet
+  Answers expected_;
+};
+
+}  // namespace csgcast::verify

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "raycast/caster.h"
+
+namespace csgcast::verify {
+
+/// Everything that is asked about one ray.
+struct Answers {
+  IntervalList ray;       ///< over [0, infinity)
+  IntervalList line;      ///< over the whole line
+  IntervalList reversed;  ///< over the whole line of (origin, -direction)
+  std::optional<Hit> first_hit;
+  bool any_hit = false;
+  std::uint64_t exact_decisions = 0;  ///< of structure, that floating point left open
+};
+
+/// One way to answer rays, with working memory of its own: one for each thread.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  /// Overwrites `answers`, one for each ray. Many rays at once, so that engines that work on packets fill them.
+  virtual void answer(std::span<const Ray> rays, std::span<Answers> answers) = 0;
+};
+
+struct EngineKind {
+  std::string_view name;
+  std::unique_ptr<Engine> (*make)(const Scene& scene);  ///< the scene must outlive the engine
+};
+
+/// Every engine that promises the answer of docs/answer.md. A new one is one more row here.
+std::span<const EngineKind> engines();
+
+/// The caster, one ray at a time, with these predicates. Each question is asked with nothing known from the one before.
+std::unique_ptr<Engine> scalar_engine(const Scene& scene, const Predicates& predicates);
+
+}  // namespace csgcast::verify
