@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "raycast/predicates.h"
+
+namespace csgcast::bench {
+
+/// A way of computing crossings, their order and t. Everything else of the caster is the same for all.
+struct Way {
+  std::string name;
+  Predicates predicates;
+};
+
+/// From the plainest to the exact one, which comes last.
+std::span<const Way> ways();
+
+}  // namespace csgcast::bench
