@@ -73,6 +73,26 @@ void append_row(std::string& out, std::string_view name, const std::string& cont
   out += fmt::format("{:<12}{}\n", name, content);
 }
 
+/// Three digits of a length or share that is only known to a few.
+std::string about(double value) { return fmt::format("{:.3g}", value); }
+
+void append_welding(std::string& out, const WeldReport& report) {
+  std::string text = "nothing";
+  if (report.surfaces > 0) {
+    text = fmt::format("{} surfaces joined {} others; moved by at most {} (relative {})", report.surfaces,
+                       report.clusters, about(report.widest), about(report.widest / report.size));
+  }
+  append_row(out, "welded", text + (report.incomplete ? "; cut short: very many surfaces nearly coincide" : ""));
+  if (report.near_miss_count == 0) return;
+  append_row(out, "near misses", fmt::format("{} pairs of surfaces nearly coincide; --weld {} joins the nearest",
+                                             report.near_miss_count, about(report.suggested_tolerance)));
+  for (const NearMiss& miss : report.near_misses) {
+    append_row(out, "", fmt::format("{}:{} and {}:{}  gap {} (relative {})", miss.first.line, miss.first.column,
+                                    miss.second.line, miss.second.column, about(miss.gap),
+                                    about(miss.gap / report.size)));
+  }
+}
+
 std::string as_text(const Info& info) {
   const Scene& scene = info.input.scene;
   const SceneDescription& description = info.input.description;
@@ -84,6 +104,7 @@ std::string as_text(const Info& info) {
   append_row(out, "surfaces",
              fmt::format("{}: planes {}, quadrics {}; shared by several leaves {}", scene.surfaces().size(),
                          info.surfaces.planes, info.surfaces.quadrics, info.surfaces.shared));
+  append_welding(out, scene.weld_report());
   append_row(out, "tree", fmt::format("{} nodes after simplification, leaves included", scene.nodes().size()));
   append_row(out, "parts", fmt::format("{}", scene.parts().size()));
   for (std::size_t i = 0; i < scene.parts().size(); ++i) {
@@ -121,6 +142,21 @@ void json_parts(Json& json, const Info& info) {
     json.member("leaves", info.leaves.by_part[i]).end_object();
   }
   json.end_array();
+}
+
+void json_welding(Json& json, const WeldReport& report) {
+  json.key("welded").begin_object().member("surfaces", std::uint64_t(report.surfaces));
+  json.member("clusters", std::uint64_t(report.clusters)).member("widest", report.widest);
+  json.member("size", report.size).member("incomplete", report.incomplete);
+  json.member("near_miss_count", std::uint64_t(report.near_miss_count));
+  json.member("suggested_tolerance", report.suggested_tolerance).key("near_misses").begin_array();
+  for (const NearMiss& miss : report.near_misses) {
+    json.begin_object(Json::Layout::compact);
+    json.member("first", fmt::format("{}:{}", miss.first.line, miss.first.column));
+    json.member("second", fmt::format("{}:{}", miss.second.line, miss.second.column));
+    json.member("gap", miss.gap).end_object();
+  }
+  json.end_array().end_object();
 }
 
 /// Sides at infinity are null.
@@ -179,6 +215,7 @@ std::string as_json(const Info& info) {
   json_tally(json, "leaves_by_kind", info.leaves.by_kind);
   json.key("surfaces").begin_object(Json::Layout::compact).member("planes", info.surfaces.planes);
   json.member("quadrics", info.surfaces.quadrics).member("shared", info.surfaces.shared).end_object();
+  json_welding(json, scene.weld_report());
   json.member("nodes", std::uint64_t(scene.nodes().size()));
   json_parts(json, info);
   json.member("regions", std::uint64_t(scene.regions().size()));
@@ -193,8 +230,10 @@ std::string as_json(const Info& info) {
 void run(const InfoOptions& options) {
   check_distinct(std::array{NamedFile{"the scene", options.scene.path}}, std::array{NamedFile{"-o", options.output}});
   Output output(options.output);
-  const DocumentInput document = read_document(options.scene);
-  const SceneInput input = compile_document(document, options.scene);
+  SceneOptions scene_options = options.scene;
+  scene_options.welding.lists_near_misses = scene_options.welding.mode != Welding::Mode::off;
+  const DocumentInput document = read_document(scene_options);
+  const SceneInput input = compile_document(document, scene_options);
   const Info info{document.document, input};
   output.write(options.format == Format::json ? as_json(info) : as_text(info));
   output.commit();

@@ -15,6 +15,17 @@ namespace {
 
 constexpr int most_threads = 1024;
 
+Welding parse_welding(const std::string& text) {
+  const double relative = parse_numbers("--weld", text, 1).front();
+  if (relative == 0) return {};
+  if (!(relative > 0 && relative <= Welding::greatest_tolerance)) {
+    throw UsageError(fmt::format("--weld {}: a tolerance is a share of the size of the scene, above 0 and at most "
+                                 "{}, or 0 to weld nothing",
+                                 text, Welding::greatest_tolerance));
+  }
+  return Welding::by_hand(relative);
+}
+
 }  // namespace
 
 void add_scene_options(CLI::App& line, SceneOptions& options) {
@@ -25,6 +36,10 @@ void add_scene_options(CLI::App& line, SceneOptions& options) {
       ->option_text("SCENE");
   add_choice(line, "--facets", options.facets, "Which curved solids become polyhedra: those with $fn <= 16, all, none",
              {{"auto", Facets::automatic}, {"always", Facets::always}, {"never", Facets::never}});
+  line.add_option_function<std::string>(
+          "--weld", [&options](const std::string& text) { options.welding = parse_welding(text); },
+          "Faces at most this share of the scene's size apart are one (default: what rounding explains; 0: none)")
+      ->type_name("RELATIVE");
   line.add_option_function<std::string>(
           "--threads",
           [&options](const std::string& text) { options.threads = parse_count("--threads", text, 1, most_threads); },
@@ -53,7 +68,7 @@ SceneInput compile_document(const DocumentInput& input, const SceneOptions& opti
     for (const Warning& warning : result.description.warnings) fmt::print(stderr, "{}\n", to_string(warning));
   }
   const Stopwatch compile_watch;
-  result.scene = compile(result.description.solid);
+  result.scene = compile(result.description.solid, options.welding);
   result.compile_seconds = compile_watch.seconds();
   if (result.scene.bounds().is_null()) {
     Warning empty;

@@ -18,13 +18,14 @@ namespace csgcast::cli {
 struct SceneOptions {
   std::string path;
   text::Facets facets = text::Facets::automatic;
+  Welding welding = Welding::derived();
   int threads = 0;  ///< 0: all cores
   bool quiet = false;
 
   Progress::Show progress() const { return quiet ? Progress::Show::never : Progress::Show::if_terminal; }
 };
 
-/// Adds the scene's place on the command line, --facets, --threads and --quiet. `options` must live as long as `line`.
+/// Adds the scene's place on the command line, --facets, --weld, --threads and --quiet. `options` must live as long as `line`.
 void add_scene_options(CLI::App& line, SceneOptions& options);
 
 /// The number of threads to use: what was asked for, else one for each core that the process may use.

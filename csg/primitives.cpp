@@ -2,6 +2,7 @@
 #include "csg/primitives.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <string>
 
@@ -123,6 +124,14 @@ Solid cylinder(double height, double bottom_radius, double top_radius, Centering
     shape.forms.push_back(axial_form(h2, h2, -square(slope), -twice(base * slope), -square(base)));
   }
   append_slab(shape.forms, 2, range);
+  if (bottom_radius != top_radius) {
+    // (base + slope z)² with base + slope z off by 2^-53 height times each radius.
+    const double s = std::fabs(top_radius - bottom_radius), b = height * widest;
+    const double off = 0x1p-53 * height * (bottom_radius + top_radius);
+    shape.error.errors.resize(shape.forms.size());
+    shape.error.errors.front()[z] = 2 * off * s;
+    shape.error.errors.front()[one] = 2 * off * b;
+  }
   shape.bounds = box_about_axis(widest, range);
   shape.discs = {{shape.bounds.lower.z, bottom_radius}, {shape.bounds.upper.z, top_radius}};
   return Solid::leaf(std::move(shape));
@@ -157,6 +166,10 @@ Solid hyperboloid(double height, double radius, double waist) {
     shape.forms.push_back(axial_form(h2, h2, (waist2 - square(radius)).scaled(2), {}, -(h2 * waist2)));
   }
   append_slab(shape.forms, 2, range);
+  if (radius != waist) {
+    shape.error.errors.resize(shape.forms.size());
+    shape.error.errors.front()[zz] = 8 * 0x1p-53 * (radius * radius + waist * waist);
+  }
   shape.bounds = box_about_axis(widest, range);
   shape.discs = {{shape.bounds.lower.z, widest}, {shape.bounds.upper.z, widest}};
   return Solid::leaf(std::move(shape));

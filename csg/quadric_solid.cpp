@@ -20,6 +20,8 @@ Solid quadric(const std::array<double, 6>& a, Vector b, double c) {
   shape.kind = "quadric";
   shape.bounds = detail::bounds(f);
   if (shape.bounds.is_null()) return {};
+  shape.error.scales_with_axes = false;
+  shape.error.errors.push_back(detail::coefficient_error(f));
   shape.forms.push_back(std::move(f));
   return Solid::leaf(std::move(shape));
 }

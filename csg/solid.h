@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,6 +22,18 @@ struct Disc {
   double radius = 0;
 };
 
+/// How far a form's coefficients may be off, in the order of QuadricForm::Term.
+using FormError = std::array<double, QuadricForm::term_count>;
+
+/// How far a leaf's forms may be off from what was meant, if each number it was made from is known to half an ulp.
+/// Nothing is decided by it but what welding takes for rounding.
+struct ShapeError {
+  bool scales_with_axes = true;  ///< each axis scaled by 1 ± 2^-53: what sizes known to half an ulp come to
+  /// More than that, of each form about `center`: |off(q)| <= sum of errors[i] |term_i(q - center)|; or empty: nothing.
+  std::vector<FormError> errors;
+  Point center;
+};
+
 /// What a leaf is in its own coordinates: the closed set of points where every form is <= 0.
 struct LeafShape {
   std::string kind;                ///< the scene text's word for it: "cube", "sphere", ...
@@ -31,6 +44,7 @@ struct LeafShape {
       vertices;             ///< of a bounded polyhedron given by points (for tight bounds of moved solids); else empty
   std::vector<Disc> discs;  ///< the convex hull of these holds the set, rounded outward (for the same); or empty
   std::optional<Vector> semi_axes;  ///< the ellipsoid about the origin with these holds the set (for the same)
+  ShapeError error;
 };
 
 /// A named subtree with a density, for queries by part.

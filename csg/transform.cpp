@@ -31,6 +31,14 @@ Vector scaled_axis(Vector v) {
   return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
 }
 
+// What an entry of a rotation may be off by, in units of 2^-53: an angle known to half an ulp moves it by at most its
+// radians (of more than a turn only the last turn counts: whoever writes 1e20 degrees means that number); a sine or cosine is off by at most 4 (two roundings and pi's own on the way to at most pi/4 radians, the
+// function's last bit); three of them, four products and a sum about axes by at most 20; about an axis, whose
+// coordinates are known to half an ulp, 12 more than the sine and cosine.
+double rotation_error(double degrees, double roundings) {
+  return 0x1p-53 * (roundings + radians(std::fmin(std::fabs(degrees), 360)));
+}
+
 bool has_direction(Vector v) { return v != Vector{} && is_finite(v); }
 
 }  // namespace
@@ -79,7 +87,10 @@ Transform rotation(Vector degrees_about_axes) {
   // Rz * Ry * Rx.
   return {{cy * cz, sx * sy * cz - cx * sz, cx * sy * cz + sx * sz, 0,  //
            cy * sz, sx * sy * sz + cx * cz, cx * sy * sz - sx * cz, 0,  //
-           -sy, sx * cy, cx * cy, 0}};
+           -sy, sx * cy, cx * cy, 0},
+          rotation_error(std::fabs(degrees_about_axes.x) + std::fabs(degrees_about_axes.y) +
+                             std::fabs(degrees_about_axes.z),
+                         20)};
 }
 
 Transform rotation(double degrees, Vector axis) {
@@ -94,7 +105,8 @@ Transform rotation(double degrees, Vector axis) {
   const double xy = k * (v.x * v.y) / square, xz = k * (v.x * v.z) / square, yz = k * (v.y * v.z) / square;
   return {{(xx + c * (yy + zz)) / square, xy - s * v.z, xz + s * v.y, 0,  //
            xy + s * v.z, (yy + c * (xx + zz)) / square, yz - s * v.x, 0,  //
-           xz - s * v.y, yz + s * v.x, (zz + c * (xx + yy)) / square, 0}};
+           xz - s * v.y, yz + s * v.x, (zz + c * (xx + yy)) / square, 0},
+          rotation_error(degrees, 16)};
 }
 
 Transform mirroring(Vector normal) {
@@ -107,7 +119,8 @@ Transform mirroring(Vector normal) {
   const double xy = off_diagonal(n.x, n.y), xz = off_diagonal(n.x, n.z), yz = off_diagonal(n.y, n.z);
   return {{diagonal(n.x, n.y, n.z), xy, xz, 0,  //
            xy, diagonal(n.y, n.z, n.x), yz, 0,  //
-           xz, yz, diagonal(n.z, n.x, n.y), 0}};
+           xz, yz, diagonal(n.z, n.x, n.y), 0},
+          rotation_error(0, 12)};
 }
 
 }  // namespace csgcast

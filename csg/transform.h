@@ -11,11 +11,14 @@ namespace csgcast {
 /// translates.
 struct Transform {
   std::array<double, 12> entry{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  /// How far an entry of the linear part may be off from what the arguments mean, beyond half an ulp of its own. It
+  /// changes nothing but what welding takes for rounding.
+  double linear_error = 0;
 
   double operator()(std::size_t row, std::size_t column) const { return entry[4 * row + column]; }
   bool is_identity() const { return *this == Transform{}; }
   bool is_finite() const;
-  friend bool operator==(const Transform&, const Transform&) = default;
+  friend bool operator==(const Transform& a, const Transform& b) { return a.entry == b.entry; }
 };
 
 Transform translation(Vector offset);

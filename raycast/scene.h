@@ -13,6 +13,7 @@
 #include "csg/solid.h"
 #include "raycast/hit.h"
 #include "raycast/surface.h"
+#include "raycast/welding.h"
 
 namespace csgcast {
 
@@ -98,6 +99,7 @@ class Scene {
   const Frame& frame() const { return frame_; }
   /// Of the solid, rounded outward, without the margin of the nodes' boxes.
   const Box& bounds() const { return bounds_; }
+  const WeldReport& weld_report() const { return weld_report_; }
   /// Of its bounded leaves, for a default camera of an unbounded solid.
   const Box& bounded_leaves() const { return bounded_leaves_; }
 
@@ -116,10 +118,13 @@ class Scene {
   Box bounds_;
   Box bounded_leaves_;
   Frame frame_;
+  WeldReport weld_report_;
 };
 
+/// The exact answer is that of the solid as it is, or of the welded one if welding is asked for.
+///
 /// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has
-/// more than 2^22 leaves; Error(usage) for a part below an intersection, difference or complement, or within a part.
-Scene compile(const Solid& solid);
+/// more than 2^22 leaves; Error(usage) for a part below an intersection, difference or complement, or within a part; Error(bad_value) for a tolerance out of range.
+Scene compile(const Solid& solid, const Welding& welding = {});
 
 }  // namespace csgcast

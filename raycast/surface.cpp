@@ -5,45 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "raycast/detail/rounded_form.h"
+
 namespace csgcast {
 namespace {
 
 using Form = QuadricForm;
 using Coefficients = Surface::Coefficients;
-
-// The form times a power of two, rounded to nearest, with the largest coefficient in [1/2, 1). False if one that is not
-// zero came out as zero or subnormal, which would void the relative bound.
-bool round_scaled(const QuadricForm& form, Coefficients& rounded, Coefficients* left_over = nullptr) {
-  std::int64_t scale = std::numeric_limits<std::int64_t>::min();
-  for (const Dyadic& c : form.coefficient) {
-    if (!c.is_zero()) scale = std::max(scale, c.magnitude());
-  }
-  bool in_range = true;
-  for (std::size_t i = 0; i < rounded.size(); ++i) {
-    const Dyadic scaled = form.coefficient[i].scaled(-scale);
-    rounded[i] = scaled.nearest();
-    if (left_over != nullptr) (*left_over)[i] = (scaled - Dyadic(rounded[i])).nearest();
-    in_range = in_range && (form.coefficient[i].is_zero() || std::isnormal(rounded[i]));
-  }
-  return in_range;
-}
-
-// q -> f(origin + 2^exponent q).
-QuadricForm in_coordinates(const QuadricForm& f, const ExactPoint& origin, int exponent) {
-  const auto& [x, y, z] = origin;
-  const auto& c = f.coefficient;
-  const Dyadic two(2.0);
-  Form g = f;
-  g.coefficient[Form::x] += two * c[Form::xx] * x + c[Form::xy] * y + c[Form::xz] * z;
-  g.coefficient[Form::y] += two * c[Form::yy] * y + c[Form::xy] * x + c[Form::yz] * z;
-  g.coefficient[Form::z] += two * c[Form::zz] * z + c[Form::xz] * x + c[Form::yz] * y;
-  g.coefficient[Form::one] += (c[Form::xx] * x + c[Form::xy] * y + c[Form::xz] * z + c[Form::x]) * x +
-                              (c[Form::yy] * y + c[Form::yz] * z + c[Form::y]) * y + (c[Form::zz] * z + c[Form::z]) * z;
-  for (std::size_t i = 0; i < Form::one; ++i) {
-    g.coefficient[i] = g.coefficient[i].scaled(i < Form::x ? 2 * std::int64_t{exponent} : exponent);
-  }
-  return g;
-}
+using detail::in_coordinates;
+using detail::round_scaled;
 
 double magnitude_sum(const Coefficients& c, std::size_t begin, std::size_t end) {
   double sum = 0;

@@ -3,11 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
 #include "csg/detail/form_bounds.h"
 #include "csg/error.h"
 
 namespace csgcast::detail {
+namespace {
+
+double magnitude_sum(const QuadricForm& form) {
+  double sum = 0;
+  for (const Dyadic& c : form.coefficient) sum += std::fabs(c.nearest());
+  return sum;
+}
+
+}  // namespace
 
 void require_finite(const std::string& statement, std::initializer_list<double> numbers) {
   if (std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); })) return;
@@ -28,24 +38,42 @@ LeafShape halfspace_shape(QuadricForm plane) {
   shape.kind = "halfspace";
   shape.bounds = bounds(plane);
   shape.is_convex_polyhedron = true;
+  shape.error.scales_with_axes = false;
+  shape.error.errors.push_back(coefficient_error(plane));
   shape.forms.push_back(std::move(plane));
   return shape;
 }
 
-std::vector<QuadricForm> without_duplicates(const std::vector<QuadricForm>& forms) {
-  std::vector<QuadricForm> result;
-  result.reserve(forms.size());
-  for (const QuadricForm& f : forms) {
-    CanonicalForm c = canonical(f);
-    result.push_back(c.flipped ? -c.form : std::move(c.form));
+FormError coefficient_error(const QuadricForm& form) {
+  FormError error;
+  for (std::size_t i = 0; i < error.size(); ++i) error[i] = 0x1p-53 * std::fabs(form.coefficient[i].nearest());
+  return error;
+}
+
+void set_forms(LeafShape& shape, const std::vector<FormWithError>& forms) {
+  std::vector<FormWithError> sorted;
+  sorted.reserve(forms.size());
+  for (const auto& [form, error] : forms) {
+    CanonicalForm c = canonical(form);
+    FormError scaled = error;
+    const double scale = magnitude_sum(c.form) / magnitude_sum(form);
+    for (double& e : scaled) e *= scale;
+    sorted.push_back({c.flipped ? -c.form : std::move(c.form), scaled});
   }
-  const auto less = [](const QuadricForm& a, const QuadricForm& b) {
-    return std::lexicographical_compare(a.coefficient.begin(), a.coefficient.end(), b.coefficient.begin(),
-                                        b.coefficient.end());
+  const auto less = [](const FormWithError& a, const FormWithError& b) {
+    const auto& fa = a.form.coefficient;
+    const auto& fb = b.form.coefficient;
+    const auto order = std::lexicographical_compare_three_way(fa.begin(), fa.end(), fb.begin(), fb.end());
+    return order < 0 || (order == 0 && a.error < b.error);
   };
-  std::sort(result.begin(), result.end(), less);
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+  const auto same = [](const FormWithError& a, const FormWithError& b) { return a.form == b.form; };
+  std::sort(sorted.begin(), sorted.end(), less);
+  sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
+  shape.error.scales_with_axes = false;
+  for (FormWithError& f : sorted) {
+    shape.forms.push_back(std::move(f.form));
+    shape.error.errors.push_back(f.error);
+  }
 }
 
 }  // namespace csgcast::detail

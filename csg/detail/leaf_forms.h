@@ -19,11 +19,20 @@ void require_finite(const std::string& statement, std::initializer_list<double> 
 /// finite numbers.
 QuadricForm plane_form(const std::string& statement, Vector normal, double distance);
 
-/// The half-space where a plane form is <= 0.
+/// The half-space where a plane form, whose coefficients are the numbers given, is <= 0.
 LeafShape halfspace_shape(QuadricForm plane);
 
-/// One canonical copy of each set f <= 0 among the forms (proportional by a positive factor: the same), in a fixed
-/// order. Precondition: none of them is constant.
-std::vector<QuadricForm> without_duplicates(const std::vector<QuadricForm>& forms);
+/// Each coefficient known to half an ulp.
+FormError coefficient_error(const QuadricForm& form);
+
+struct FormWithError {
+  QuadricForm form;
+  FormError error;
+};
+
+/// Gives the shape one canonical copy of each set f <= 0 among the forms (proportional by a positive factor: the same,
+/// the least error is kept), in a fixed order; errors are about shape.error.center. Precondition: none of them is
+/// constant.
+void set_forms(LeafShape& shape, const std::vector<FormWithError>& forms);
 
 }  // namespace csgcast::detail

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "csg/simplify.h"
@@ -49,7 +50,14 @@ std::vector<double> look_key(const Material& m) {
 
 }  // namespace
 
-Scene compile(const Solid& solid) { return SceneCompiler().compile(simplified(solid)); }
+Scene compile(const Solid& solid, const Welding& welding) {
+  if (welding.mode == Welding::Mode::by_hand &&
+      !(welding.tolerance > 0 && welding.tolerance <= Welding::greatest_tolerance)) {
+    throw Error(ErrorCode::bad_value, {}, "the tolerance of welding is out of range",
+                "it is a share of the size of the scene, above 0 and at most 1/128", "choose a smaller one, or none");
+  }
+  return SceneCompiler(welding).compile(simplified(solid));
+}
 
 Scene SceneCompiler::compile(const Solid& solid) {
   Context outermost;
@@ -66,6 +74,7 @@ Scene SceneCompiler::compile(const Solid& solid) {
     const Context context = child_context(frame);
     visit(children[frame.next++], context);
   }
+  weld();
   gather_regions();
   scene_.bounds_ = scene_.node(scene_.root_).box;
   widen_boxes();
@@ -109,6 +118,8 @@ SceneCompiler::Context SceneCompiler::child_context(const Frame& frame) {
                     "composing them exactly takes numbers of more than 16,384 bits",
                     "combine them into one multmatrix");
       }
+      if (welding_.mode != Welding::Mode::off)
+        below.chain = provenance_.chain(below.chain, frame.solid.transform(), *product);
       below.world_from_solid = std::move(product);
       break;
     }
@@ -195,7 +206,7 @@ NodeId SceneCompiler::add_leaf(const Solid& solid, const Context& context) {
   leaf.look = context.look;
   leaf.holds_nothing = context.below_cut;
   leaf.shows_cut = context.negative && !context.look_below_cut;
-  const bool has_inside = add_half_spaces(solid.shape(), moved, leaf, box);
+  const bool has_inside = add_half_spaces(solid, context, leaf, box);
   if (!has_inside || box.is_null()) {
     scene_.half_spaces_.resize(leaf.first);
     return add_node(Node::Op::empty, {});
@@ -208,12 +219,20 @@ NodeId SceneCompiler::add_leaf(const Solid& solid, const Context& context) {
 }
 
 // False if two of the half-spaces face each other on one surface: then the leaf has no inside.
-bool SceneCompiler::add_half_spaces(const LeafShape& shape, const ExactAffine* world_from_solid, Leaf& leaf,
-                                    const Box& box) {
-  const FormMover mover(world_from_solid ? *world_from_solid : ExactAffine());
+bool SceneCompiler::add_half_spaces(const Solid& solid, const Context& context, Leaf& leaf, const Box& box) {
+  const LeafShape& shape = solid.shape();
+  std::optional<FormMover> mover;
+  if (context.world_from_solid) mover.emplace(*context.world_from_solid);
+  const bool keeps_sources = welding_.mode != Welding::Mode::off;
+  const std::uint32_t source = keeps_sources ? provenance_.add_leaf(solid, context.chain, box) : 0;
   const auto begin = static_cast<std::ptrdiff_t>(leaf.first);
-  for (const QuadricForm& form : shape.forms) {
-    const HalfSpace half_space = surfaces_.half_space(world_from_solid ? mover.moved(form) : form, box);
+  for (std::uint32_t i = 0; i < shape.forms.size(); ++i) {
+    const QuadricForm& form = shape.forms[i];
+    const HalfSpace half_space = surfaces_.half_space(mover ? mover->moved(form) : form, box);
+    if (keeps_sources) {
+      if (surfaces_.size() > sources_.size()) sources_.resize(surfaces_.size());
+      sources_[half_space.surface.index()].push_back({source, i});
+    }
     const auto same = std::find_if(scene_.half_spaces_.begin() + begin, scene_.half_spaces_.end(),
                                    [&](const HalfSpace& other) { return other.surface == half_space.surface; });
     if (same == scene_.half_spaces_.end()) {

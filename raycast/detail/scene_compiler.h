@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csg/exact/affine.h"
+#include "raycast/detail/provenance.h"
 #include "raycast/detail/surface_table.h"
 #include "raycast/scene.h"
 
@@ -14,12 +15,14 @@ namespace csgcast {
 /// Flattens a solid into a scene in one iterative walk over its tree, in file order.
 class SceneCompiler {
  public:
+  explicit SceneCompiler(const Welding& welding) : welding_(welding) {}
   Scene compile(const Solid& solid);
 
  private:
   // What the nodes above a node mean for it.
   struct Context {
     std::shared_ptr<const ExactAffine> world_from_solid;  // null: the identity
+    detail::Provenance::ChainId chain = 0;                // the same as the scene writes it; only for welding
     std::shared_ptr<const LookContext> looks;
     LookId look;
     PartId part;
@@ -51,7 +54,7 @@ class SceneCompiler {
   Context child_context(const Frame& frame);
   void add_body(NodeId node, const Context& context, std::uint32_t first_leaf);
   NodeId add_leaf(const Solid& solid, const Context& context);
-  bool add_half_spaces(const LeafShape& shape, const ExactAffine* world_from_solid, Leaf& leaf, const Box& box);
+  bool add_half_spaces(const Solid& solid, const Context& context, Leaf& leaf, const Box& box);
   NodeId add_node(Node::Op op, std::span<const NodeId> children);
   NodeId add_union(std::vector<NodeId> children);
   NodeId add_subtract(std::span<const NodeId> children);
@@ -61,8 +64,13 @@ class SceneCompiler {
   void gather_regions();
   void gather_parts();
   void gather_layers();
+  void weld();
+  void replace_surfaces(std::span<const HalfSpace> positive_side);
   void widen_boxes();
 
+  Welding welding_;
+  detail::Provenance provenance_;
+  std::vector<std::vector<detail::Provenance::Source>> sources_;  // of each surface; only for welding
   Scene scene_;
   detail::SurfaceTable surfaces_;
   std::vector<Frame> frames_;

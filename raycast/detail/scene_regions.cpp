@@ -15,6 +15,9 @@ constexpr std::size_t widest_union = 4;
 // Culling must not depend on the last bits of slab tests: boxes of nodes are widened by this share of their
 // coordinates.
 constexpr double margin = 0x1p-30;
+// Where welding moved a face by so much its leaf's corners moved by at most this many times that, unless the faces that
+// meet there are nearly parallel.
+constexpr double margin_of_moves = 0x1p10;
 
 bool is_bounded(const Box& box) { return box.is_finite(); }
 
@@ -125,14 +128,15 @@ void SceneCompiler::gather_layers() {
 }
 
 void SceneCompiler::widen_boxes() {
+  const double moved = margin_of_moves * scene_.weld_report_.widest;
   for (Node& node : scene_.nodes_) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       double& lower = node.box.lower[axis];
       double& upper = node.box.upper[axis];
       const double low = std::isfinite(lower) ? std::fabs(lower) : 0;
       const double high = std::isfinite(upper) ? std::fabs(upper) : 0;
-      lower -= margin * std::fmax(low, high);
-      upper += margin * std::fmax(low, high);
+      lower -= margin * std::fmax(low, high) + moved;
+      upper += margin * std::fmax(low, high) + moved;
     }
   }
 }

@@ -46,6 +46,28 @@ HalfSpace SurfaceTable::half_space(const QuadricForm& f, const Box& leaf) {
   return {id, sense};
 }
 
+std::vector<HalfSpace> SurfaceTable::merge(std::span<const Replacement> replacements) {
+  std::vector<HalfSpace> now(entries_.size());
+  std::vector<SurfaceId> id_of(entries_.size());
+  std::vector<Entry> merged;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const auto [surface, flipped] = replacements[i];
+    SurfaceId& id = id_of[surface];
+    if (!id.valid()) {
+      id = SurfaceId(static_cast<std::uint32_t>(merged.size()));
+      merged.push_back({{}, entries_[surface].leaf, true});
+    }
+    merged[id.index()].is_local = merged[id.index()].is_local && entries_[i].is_local;
+    now[i] = {id, flipped ? Sense::negative : Sense::positive};
+  }
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (replacements[i].surface == i) merged[id_of[i].index()].form = std::move(entries_[i].form);
+  }
+  entries_ = std::move(merged);
+  by_hash_.clear();
+  return now;
+}
+
 std::vector<Surface> SurfaceTable::take(const Frame& frame) {
   std::vector<Surface> surfaces;
   surfaces.reserve(entries_.size());
