@@ -106,11 +106,11 @@ class Examination {
       same = agree(list_[i].entry, expected[i].entry) && agree(list_[i].exit, expected[i].exit);
     }
     if (!same) fail("intervals");
-    if (!agrees_with_first_hit(ray, span, expected)) fail("first_hit");
+    if (!agrees_with_first_hit(span, expected)) fail("first_hit");
     if (caster_.any_hit(span) != !expected.empty()) fail("any_hit");
   }
 
-  bool agrees_with_first_hit(const Ray& ray, Span span, const ExactList& expected) {
+  bool agrees_with_first_hit(Span span, const ExactList& expected) {
     const std::optional<Hit> hit = caster_.first_hit(span);
     for (const ExactInterval& interval : expected) {
       for (const Passage passage : {Passage::entry, Passage::exit}) {

@@ -36,17 +36,25 @@ State state_of(const Formula& formula, const std::vector<bool>& positive) {
   return state;
 }
 
-LineStart start_of_line(const Subject& subject, const Ray& ray) {
-  const Formula& formula = subject.formula();
-  const RationalLine line{exact(ray.origin()), exact(ray.direction())};
+// Signs and crossings of every surface along a line.
+struct Course {
   std::vector<bool> positive;
-  LineStart start;
+  std::vector<Event> events;
+};
+
+Course course_of(const Formula& formula, const Ray& ray) {
+  const RationalLine line{exact(ray.origin()), exact(ray.direction())};
+  Course course;
   for (std::size_t i = 0; i < formula.surfaces().size(); ++i) {
     const LinePolynomial polynomial = formula.surfaces()[i].along(line);
-    positive.push_back(is_positive_before(polynomial));
-    for (Root& root : Root::sign_changes(polynomial)) start.events.push_back({std::move(root), i});
+    course.positive.push_back(is_positive_before(polynomial));
+    for (Root& root : Root::sign_changes(polynomial)) course.events.push_back({std::move(root), i});
   }
-  start.state = state_of(formula, positive);
+  return course;
+}
+
+LineStart start_of_line(const Subject& subject, Course course) {
+  LineStart start{state_of(subject.formula(), course.positive), std::move(course.events)};
   std::sort(start.events.begin(), start.events.end(), [&subject](const Event& a, const Event& b) {
     const int order = compare(a.t, b.t);
     return order != 0 ? order < 0 : subject.surface_id(a.surface) < subject.surface_id(b.surface);
@@ -56,11 +64,9 @@ LineStart start_of_line(const Subject& subject, const Ray& ray) {
 
 DefinedEnd cut(double t) { return std::isfinite(t) ? DefinedEnd{Root(Rational(t)), std::nullopt} : DefinedEnd{}; }
 
-}  // namespace
-
-LineAnswer answer_on_line(const Subject& subject, const Ray& ray) {
+LineAnswer follow(const Subject& subject, Course course) {
   const Formula& formula = subject.formula();
-  auto [state, events] = start_of_line(subject, ray);
+  auto [state, events] = start_of_line(subject, std::move(course));
   LineAnswer answer;
   answer.crossings = events.size();
   bool is_inside = formula.value(state);
@@ -84,6 +90,27 @@ LineAnswer answer_on_line(const Subject& subject, const Ray& ray) {
   }
   if (is_inside) answer.list.push_back({entry, {}});
   return answer;
+}
+
+}  // namespace
+
+LineAnswer answer_on_line(const Subject& subject, const Ray& ray) {
+  return follow(subject, course_of(subject.formula(), ray));
+}
+
+// The departed surface is t (square t + slope): away from the start it changes its sign at -slope / square.
+std::optional<DepartingAnswer> answer_on_departing_ray(const Subject& subject, const Ray& ray, std::size_t surface) {
+  const LinePolynomial polynomial =
+      subject.formula().surfaces()[surface].along({exact(ray.origin()), exact(ray.direction())});
+  const int at_start = sign_of(polynomial.slope);
+  const int in_the_end = sign_of(polynomial.square);
+  if (at_start == 0 && in_the_end == 0) return std::nullopt;
+  const bool positive_after = (at_start != 0 ? at_start : in_the_end) > 0;
+  Course course = course_of(subject.formula(), ray);
+  std::erase_if(course.events, [surface](const Event& event) { return event.surface == surface; });
+  course.positive[surface] = positive_after;
+  if (at_start * in_the_end < 0) course.events.push_back({Root(-polynomial.slope / polynomial.square), surface});
+  return DepartingAnswer{clipped(follow(subject, std::move(course)).list, Span{}), positive_after};
 }
 
 DefinedList clipped(const DefinedList& line, Span span) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,9 @@ struct Face {
   std::size_t surface;
   std::size_t leaf;
   bool positive_before;               ///< the sign of the surface before the crossing
-  std::optional<std::size_t> holder;  ///< the first leaf that nothing subtracts and that holds the solid's side
+  bool surface_by_walk;               ///< no flip of one surface alone told
+  bool leaf_by_walk;                  ///< no copy alone told
+  std::optional<std::size_t> holder;  ///< what holds the solid's side: see Formula::first_holder
 };
 
 /// An end of an interval along a line.
@@ -39,6 +42,15 @@ struct LineAnswer {
   std::uint64_t ties = 0;  ///< groups of two or more
 };
 LineAnswer answer_on_line(const Subject& subject, const Ray& ray);
+
+/// What a ray meets, for t >= 0 alone, that departs from a surface: this is zero at the start by definition, so it does
+/// not cross there, and is right after the start on the side to which the ray leads.
+struct DepartingAnswer {
+  DefinedList list;
+  bool positive_after;
+};
+/// None if the surface, taken as zero at the start, is zero all along the ray.
+std::optional<DepartingAnswer> answer_on_departing_ray(const Subject& subject, const Ray& ray, std::size_t surface);
 
 /// What a span leaves of a list, by the rules for ends at, before and beyond the span's.
 DefinedList clipped(const DefinedList& line, Span span);

@@ -15,7 +15,7 @@ namespace csgcast::oracle::quadrics {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr int rays_a_trial = 50;
+constexpr int rays_a_trial = 25;
 // The product may answer `boundary` where more surfaces than this vanish: 2^12 choices are past its budget.
 constexpr std::size_t most_zeros = 11;
 
@@ -42,6 +42,16 @@ class Examination {
     ++tally_.rays;
     const std::string solid_title = title_;
     title_ += fmt::format(": ray {} + t {}", text(ray.origin()), text(ray.direction()));
+    try {
+      examine_queries(ray);
+    } catch (const Error& error) {
+      complain_of(error.what());
+    }
+    title_ = solid_title;
+  }
+
+ private:
+  void examine_queries(const Ray& ray) {
     caster_.begin(ray);
     const LineAnswer answer = answer_on_line(subject_, ray);
     tally_.ties += answer.ties;
@@ -49,16 +59,16 @@ class Examination {
     examine_span(Span::line(), answer.list);
     if (!answer.list.empty()) examine_spans_at_end(answer.list);
     const FoundList forward = found_list(caster_, Span::line());
-    count_ends(forward);
+    count_ends(answer.list);
     examine_point(some_point(ray, answer.list));
+    if (!answer.list.empty()) examine_departure(ray, answer.list);
     caster_.begin(Ray(ray.origin(), -ray.direction()));
     complain_of(difference_of_mirrored(forward, found_list(caster_, Span::line())));
-    title_ = solid_title;
   }
 
- private:
-  void examine_span(Span span, const DefinedList& line) {
-    const DefinedList expected = clipped(line, span);
+  void examine_span(Span span, const DefinedList& line) { examine_list(span, clipped(line, span)); }
+
+  void examine_list(Span span, const DefinedList& expected) {
     const FoundList found = found_list(caster_, span);
     ++tally_.lists;
     tally_.intervals += expected.size();
@@ -74,7 +84,7 @@ class Examination {
   void examine_spans_at_end(const DefinedList& line) {
     const DefinedInterval& interval = line[random_.index(line.size())];
     for (const DefinedEnd& end : {interval.entry, interval.exit}) {
-      double t = end.t ? end.t->approximate() : inf;
+      double t = end.t ? end.t->nearest() : inf;
       if (!std::isfinite(t)) continue;
       const std::size_t kind = random_.index(4);
       if (kind == 0) t = std::nextafter(t, -inf);
@@ -91,7 +101,7 @@ class Examination {
     if (kind == 0 || line.empty()) return ray.origin();
     const DefinedInterval& interval = line[random_.index(line.size())];
     const DefinedEnd& end = interval.entry.t ? interval.entry : interval.exit;
-    const Point p = end.t ? ray.at(end.t->approximate()) : ray.origin();
+    const Point p = end.t ? ray.at(end.t->nearest()) : ray.origin();
     if (!is_finite(p)) return ray.origin();
     if (kind == 1) return p;
     Point moved = p;
@@ -110,9 +120,35 @@ class Examination {
     complain_of(fmt::format("locate {}: {}, not {}", text(p), name(found), name(*expected.location)));
   }
 
-  void count_ends(const FoundList& list) {
-    for (const FoundInterval& interval : list) {
-      tally_.ends += (interval.entry.attribution ? 1u : 0u) + (interval.exit.attribution ? 1u : 0u);
+  // On from an end, back from it, or anywhere, as shadows and reflections go.
+  void examine_departure(const Ray& ray, const DefinedList& line) {
+    const DefinedInterval& interval = line[random_.index(line.size())];
+    const DefinedEnd& end = interval.entry.face ? interval.entry : interval.exit;
+    if (!end.face) return;
+    const Point start = ray.at(end.t->nearest());
+    const Vector d = ray.direction();
+    const Vector directions[] = {d, -d, length(d) * random_.direction()};
+    const Vector direction = directions[random_.index(3)];
+    if (!is_finite(start) || !is_finite(direction) || !Ray::in_range(start, direction)) return;
+    const Ray departing(start, direction);
+    const auto expected = answer_on_departing_ray(subject_, departing, end.face->surface);
+    if (!expected) return;
+    ++tally_.departures;
+    title_ += fmt::format(": departs from #{} at {} + t {}", subject_.surface_id(end.face->surface).index(),
+                          text(start), text(direction));
+    caster_.begin(departing, Departure{subject_.surface_id(end.face->surface),
+                                       expected->positive_after ? Sense::positive : Sense::negative});
+    examine_list({}, expected->list);
+  }
+
+  void count_ends(const DefinedList& list) {
+    for (const DefinedInterval& interval : list) {
+      for (const DefinedEnd* end : {&interval.entry, &interval.exit}) {
+        if (!end->face) continue;
+        ++tally_.ends;
+        tally_.surface_walks += end->face->surface_by_walk ? 1 : 0;
+        tally_.leaf_walks += end->face->leaf_by_walk ? 1 : 0;
+      }
     }
   }
 
@@ -136,7 +172,7 @@ void Tally::complain(std::string text) {
 
 std::uint64_t rays_a_family() {
   const char* variable = std::getenv("CSGCAST_LONG");
-  return variable != nullptr && std::string_view(variable) == "1" ? 20'000 : 400;
+  return variable != nullptr && std::string_view(variable) == "1" ? 25'000 : 400;
 }
 
 Tally check_family(const stress::Family& family, std::uint64_t rays) {
@@ -154,10 +190,10 @@ Tally check_family(const stress::Family& family, std::uint64_t rays) {
 
 std::string summary(const std::string& family, const Tally& tally) {
   return fmt::format(
-      "{:32} {:5} solids {:6} rays {:7} lists {:7} intervals {:7} ends {:6} ties {:6} points ({} on surfaces); wrong "
-      "{}",
-      family, tally.solids, tally.rays, tally.lists, tally.intervals, tally.ends, tally.ties, tally.points,
-      tally.on_surfaces, tally.wrong);
+      "{:40} {:5} solids {:6} rays {:7} lists {:7} intervals {:7} ends ({} + {} by walks) {:6} ties {:6} departures "
+      "{:6} points ({} on surfaces); wrong {}",
+      family, tally.solids, tally.rays, tally.lists, tally.intervals, tally.ends, tally.surface_walks, tally.leaf_walks,
+      tally.ties, tally.departures, tally.points, tally.on_surfaces, tally.wrong);
 }
 
 }  // namespace csgcast::oracle::quadrics

@@ -90,14 +90,6 @@ std::size_t owner_by_walk(const Formula& formula, const Choice& choice, std::siz
   return first;
 }
 
-std::optional<std::size_t> first_holder(const Formula& formula, const State& state) {
-  for (std::size_t i = 0; i < formula.leaves().size(); ++i) {
-    const FormulaLeaf& leaf = formula.leaves()[i];
-    if (!leaf.subtracted && formula.holds(leaf, state)) return i;
-  }
-  return std::nullopt;
-}
-
 // Any copy tells the surface's sign.
 bool is_positive(const Formula& formula, const State& state, std::size_t surface) {
   const auto& copies = formula.copies();
@@ -112,14 +104,16 @@ Face face_at(const Subject& subject, const State& before, const Group& group) {
   State after = before;
   for (const std::size_t surface : group) after = formula.flipped(std::move(after), surface);
   auto choice = chosen_alone(formula, before, after, group);
+  const bool surface_by_walk = !choice;
   if (!choice) choice = chosen_by_walks(formula, before, after, group);
   const std::size_t surface = group[choice->place];
   const bool solid_is_before = formula.value(before);
   auto leaf = owner_alone(formula, *choice, surface, solid_is_before);
   if (!leaf) leaf = owner_alone(formula, *choice, surface, !solid_is_before);
+  const bool leaf_by_walk = !leaf;
   if (!leaf) leaf = owner_by_walk(formula, *choice, surface);
-  return {surface, *leaf, is_positive(formula, before, surface),
-          first_holder(formula, solid_is_before ? before : after)};
+  return {surface,         *leaf,        is_positive(formula, before, surface),
+          surface_by_walk, leaf_by_walk, formula.first_holder(solid_is_before ? before : after)};
 }
 
 }  // namespace csgcast::oracle::quadrics

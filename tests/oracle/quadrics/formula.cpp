@@ -93,18 +93,29 @@ bool Formula::holds(const FormulaLeaf& leaf, const State& state) const {
                      [](bool copy) { return copy; });
 }
 
-bool Formula::value(const State& state) const {
-  std::vector<bool> values;  // of a node whose children from the back are done: of those
-  for (const FormulaNode& node : nodes_) values.push_back(node.kind != Kind::unite && node.kind != Kind::empty);
-  for (std::size_t i = nodes_.size(); i-- > 0;) {
+std::vector<bool> Formula::values(const State& state) const {
+  std::vector<bool> values;  // until its children are done: what those that are leave of a node
+  for (const FormulaNode& node : nodes_) {
+    const bool all = node.kind != Kind::unite && node.kind != Kind::empty;
+    values.push_back(node.kind == Kind::leaf ? holds(leaves_[node.leaf], state) : all);
+  }
+  for (std::size_t i = nodes_.size(); i-- > 1;) {
     const FormulaNode& node = nodes_[i];
-    const bool value = node.kind == Kind::leaf ? holds(leaves_[node.leaf], state) : values[i];
-    if (node.parent == no_parent) return value;
     const Kind parent = nodes_[node.parent].kind;
-    const bool counts = is_cut_away(parent, node.is_first_child ? 0 : 1) ? !value : value;
+    const bool counts = values[i] != is_cut_away(parent, node.is_first_child ? 0 : 1);
     values[node.parent] = parent == Kind::unite ? values[node.parent] || counts : values[node.parent] && counts;
   }
-  return false;
+  return values;
+}
+
+std::optional<std::size_t> Formula::first_holder(const State& state) const {
+  std::vector<bool> active = values(state);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const FormulaNode& node = nodes_[i];
+    active[i] = active[i] && (node.parent == no_parent || active[node.parent]);
+    if (active[i] && node.kind == Kind::leaf && !leaves_[node.leaf].subtracted) return node.leaf;
+  }
+  return std::nullopt;
 }
 
 Formula::State Formula::flipped(State state, std::size_t surface) const {

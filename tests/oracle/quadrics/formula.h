@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,10 @@ class Formula {
   /// True if nothing in the tree is empty or everything by itself, so that no leaf goes for such a reason.
   bool has_no_constants() const { return has_no_constants_; }
 
-  bool holds(const FormulaLeaf& leaf, const State& state) const;
   /// What the tree is in a state.
-  bool value(const State& state) const;
+  bool value(const State& state) const { return values(state).front(); }
+  /// The first leaf that nothing subtracts and that holds in a state together with all operators above it.
+  std::optional<std::size_t> first_holder(const State& state) const;
   /// The state with every copy of a surface turned round.
   State flipped(State state, std::size_t surface) const;
   /// The state with the copies in one leaf turned round.
@@ -65,6 +67,8 @@ class Formula {
   };
   struct Visit;
 
+  bool holds(const FormulaLeaf& leaf, const State& state) const;
+  std::vector<bool> values(const State& state) const;  // of every node
   static Visit below(const Visit& visit, std::size_t child, std::size_t node);
   void add_leaf(const Visit& visit);
   std::size_t index_of(const RationalForm& normalised);

@@ -54,8 +54,8 @@ std::string to_text(const FoundEnd& end) {
 
 std::string to_text(const Subject& subject, const DefinedEnd& end) {
   if (!end.t) return "infinite -";
-  if (!end.face) return fmt::format("{:a} -", end.t->approximate());
-  return fmt::format("~{:a} #{} leaf {}", end.t->approximate(), subject.surface_id(end.face->surface).index(),
+  if (!end.face) return fmt::format("{:a} -", end.t->nearest());
+  return fmt::format("{:a} #{} leaf {}", end.t->nearest(), subject.surface_id(end.face->surface).index(),
                      subject.leaf_id(end.face->leaf).index());
 }
 

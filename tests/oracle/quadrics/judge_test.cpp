@@ -41,6 +41,15 @@ TEST_CASE("the roots of t² - 2 lie between the doubles beside √2") {
   CHECK_FALSE(is_nearest(std::nextafter(std::sqrt(2.0), 2), roots[1]));
   CHECK_FALSE(is_nearest(std::nextafter(std::sqrt(2.0), 1), roots[1]));
   CHECK(is_nearest(-std::sqrt(2.0), roots[0]));
+  CHECK(roots[0].nearest() == -std::sqrt(2.0));
+}
+
+TEST_CASE("a small root beside a large one is found to the last bit") {
+  // t² - 2^60 t + 1: 2^-60 and a little more
+  const auto roots = Root::sign_changes({Rational(1), Rational(-0x1p60), Rational(1)});
+  CHECK(roots[0].nearest() == 0x1p-60);
+  CHECK(compare(roots[0], Rational(0x1p-60)) > 0);
+  CHECK(roots[1].nearest() == 0x1p60);
 }
 
 TEST_CASE("roots of different polynomials that are one number compare equal") {

@@ -3,6 +3,8 @@
 
 #include <CGAL/Root_of_traits.h>
 
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "tests/oracle/nearest.h"
@@ -40,7 +42,22 @@ int compare(const Root& a, const Root& b) { return static_cast<int>(a.number_->v
 
 int compare(const Root& a, const Rational& b) { return static_cast<int>(a.number_->value.compare(b)); }
 
-double Root::approximate() const { return CGAL::to_double(number_->value); }
+// From an estimate that does not cancel, step by step: where the sum of a and b √r does, it is (a² - b² r) / (a - b
+// √r).
+double Root::nearest() const {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const RootOf2& value = number_->value;
+  double t = CGAL::to_double(value.a0());
+  if (value.is_extended()) {
+    const Rational square = value.a1() * value.a1() * value.root();
+    const double root = sign_of(value.a1()) * std::sqrt(CGAL::to_double(square));
+    const bool cancels = t * root < 0;
+    t = cancels ? CGAL::to_double(Rational(value.a0() * value.a0() - square)) / (t - root) : t + root;
+  }
+  while (std::isfinite(t) && compare(*this, halfway_to_next(t, inf)) > 0) t = std::nextafter(t, inf);
+  while (std::isfinite(t) && compare(*this, halfway_to_next(t, -inf)) < 0) t = std::nextafter(t, -inf);
+  return t;
+}
 
 bool is_nearest(double t, const Root& root) {
   return oracle::is_nearest(t, [&root](const Rational& number) { return compare(root, number); });

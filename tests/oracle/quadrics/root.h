@@ -19,8 +19,8 @@ class Root {
   /// The sign of a - b.
   friend int compare(const Root& a, const Root& b);
   friend int compare(const Root& a, const Rational& b);
-  /// Close: for choosing spans and for messages, never for judging answers.
-  double approximate() const;
+  /// The nearest double, either of two as near; infinite beyond the doubles.
+  double nearest() const;
 
  private:
   struct Number;
