@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "csg/text/builder.h"
+#include "csg/text/reader.h"
+
+namespace csgcast::test {
+
+/// The names of examples/*.csg, in alphabetical order.
+inline std::vector<std::string> example_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(CSGCAST_SOURCE_DIR "/examples"))
+    if (entry.path().extension() == ".csg") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// examples/`name`.csg.
+inline SceneDescription example(const std::string& name) {
+  return text::build(text::read_file(CSGCAST_SOURCE_DIR "/examples/" + name + ".csg"));
+}
+
+/// Whether CSGCAST_LONG=1 asks for the long run of a test.
+inline bool long_run() {
+  const char* variable = std::getenv("CSGCAST_LONG");
+  return variable != nullptr && std::string_view(variable) == "1";
+}
+
+}  // namespace csgcast::test
