@@ -10,5 +10,6 @@ Command render_command(CLI::App& program);
 Command intervals_command(CLI::App& program);
 Command locate_command(CLI::App& program);
 Command info_command(CLI::App& program);
+Command verify_command(CLI::App& program);
 
 }  // namespace csgcast::cli

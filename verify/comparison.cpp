@@ -102,6 +102,15 @@ std::string_view name(Question question) {
   return {};
 }
 
+std::string interval_options(const Mismatch& mismatch) {
+  const bool reversed = mismatch.question == Question::reversed;
+  const Point o = mismatch.ray.origin();
+  Vector d = mismatch.ray.direction();
+  if (reversed) d = Vector{} - d;  // no negative zeros
+  const bool whole_line = reversed || mismatch.question == Question::line;
+  return fmt::format("{}--ray={},{},{},{},{},{}", whole_line ? "--line " : "", o.x, o.y, o.z, d.x, d.y, d.z);
+}
+
 Comparison::Comparison(const Scene& scene, std::span<const EngineKind> kinds)
     : exact_(scene, exact_predicates()), answers_(kinds.size(), std::vector<Answers>(rays_at_once)) {
   for (const EngineKind& kind : kinds) {
@@ -118,32 +127,36 @@ void Comparison::compare(std::span<const Ray> rays, std::span<Tally> tallies, st
     for (std::size_t e = 0; e < engines_.size(); ++e)
       engines_[e]->answer(packet, std::span(answers_[e]).first(packet.size()));
     for (std::size_t i = 0; i < packet.size(); ++i) {
-      const Answers& right = expected(packet[i]);
-      for (std::size_t e = 0; e < engines_.size(); ++e) {
-        const Answers& found = answers_[e][i];
-        const bool flagged = found.exact_decisions > 0;
-        tallies[e] += {1, right.line.size(), flagged ? 1u : 0u, found.exact_decisions, 0};
-        for (const Question question :
-             {Question::line, Question::ray, Question::reversed, Question::first_hit, Question::any_hit}) {
-          std::string text = difference(question, found, right);
-          if (text.empty()) continue;
-          ++tallies[e].wrong;
-          if (mismatches.size() < most) mismatches.push_back({packet[i], names_[e], question, std::move(text)});
-          break;
-        }
-      }
+      ask_exact(packet[i]);
+      for (std::size_t e = 0; e < engines_.size(); ++e)
+        judge(e, packet[i], answers_[e][i], tallies[e], mismatches, most);
     }
   }
 }
 
-const Answers& Comparison::expected(const Ray& ray) {
+void Comparison::judge(std::size_t engine, const Ray& ray, const Answers& found, Tally& tally,
+                       std::vector<Mismatch>& mismatches, std::size_t most) const {
+  ++tally.rays;
+  tally.intervals += expected_.line.size();
+  tally.flagged += found.flagged ? 1 : 0;
+  tally.exact_decisions += found.exact_decisions;
+  for (const Question question :
+       {Question::line, Question::ray, Question::reversed, Question::first_hit, Question::any_hit}) {
+    std::string text = difference(question, found, expected_);
+    if (text.empty()) continue;
+    ++tally.wrong;
+    if (mismatches.size() < most) mismatches.push_back({ray, names_[engine], question, std::move(text)});
+    return;
+  }
+}
+
+void Comparison::ask_exact(const Ray& ray) {
   exact_.begin(ray);
   exact_.intervals(expected_.ray);
   exact_.intervals(expected_.line, Span::line());
   mirror(expected_.line, expected_.reversed);
   expected_.first_hit = first_of(expected_.ray);
   expected_.any_hit = !expected_.ray.empty();
-  return expected_;
 }
 
 }  // namespace csgcast::verify

@@ -16,8 +16,8 @@ namespace csgcast::verify {
 struct Tally {
   std::uint64_t rays = 0;
   std::uint64_t intervals = 0;        ///< on their whole lines, by exact arithmetic
-  std::uint64_t flagged = 0;          ///< rays with a decision that floating point left open
-  std::uint64_t exact_decisions = 0;  ///< how many those were, over all questions
+  std::uint64_t flagged = 0;          ///< rays with a decision that plain double left open
+  std::uint64_t exact_decisions = 0;  ///< decisions that took exact numbers, over all questions
   std::uint64_t wrong = 0;            ///< rays with an answer that is not the exact stage's
   Tally& operator+=(const Tally& other);
   friend bool operator==(const Tally&, const Tally&) = default;
@@ -35,6 +35,10 @@ struct Mismatch {
   std::string difference;  ///< what was found and what was expected
 };
 
+/// The options of `csgcast intervals SCENE ..` that show what a mismatch is about; the numbers read back to the same
+/// doubles.
+std::string interval_options(const Mismatch& mismatch);
+
 /// Compares engines on one scene with the exact stage: whole lists bit by bit (how many intervals, which surfaces,
 /// which t; the two zeros are equal), over [0, infinity) and the whole line, the list of the reversed ray, first_hit
 /// and any_hit. Roots are not compared: an engine numbers those that matter to the scene.
@@ -50,7 +54,9 @@ class Comparison {
                std::size_t most);
 
  private:
-  const Answers& expected(const Ray& ray);
+  void ask_exact(const Ray& ray);
+  void judge(std::size_t engine, const Ray& ray, const Answers& found, Tally& tally, std::vector<Mismatch>& mismatches,
+             std::size_t most) const;
 
   Caster exact_;
   std::vector<std::string_view> names_;

@@ -16,7 +16,7 @@ class ScalarEngine final : public Engine {
 
  private:
   void answer(const Ray& ray, Answers& answers) {
-    const std::uint64_t decisions = caster_.counts().exact_calls;
+    const CasterCounts before = caster_.counts();
     caster_.begin(ray);
     answers.any_hit = caster_.any_hit();
     caster_.begin(ray);
@@ -27,7 +27,9 @@ class ScalarEngine final : public Engine {
     caster_.intervals(answers.line, Span::line());
     caster_.begin(Ray(ray.origin(), -ray.direction()));
     caster_.intervals(answers.reversed, Span::line());
-    answers.exact_decisions = caster_.counts().exact_calls - decisions;
+    const CasterCounts after = caster_.counts();
+    answers.flagged = after.rays_flagged > before.rays_flagged;
+    answers.exact_decisions = after.exact_calls - before.exact_calls;
   }
 
   Caster caster_;

@@ -18,7 +18,8 @@ struct Answers {
   IntervalList reversed;  ///< over the whole line of (origin, -direction)
   std::optional<Hit> first_hit;
   bool any_hit = false;
-  std::uint64_t exact_decisions = 0;  ///< of structure, that floating point left open
+  bool flagged = false;               ///< some decision of structure was left open by plain double
+  std::uint64_t exact_decisions = 0;  ///< decisions of structure that took exact numbers
 };
 
 /// One way to answer rays, with working memory of its own: one for each thread.

@@ -15,7 +15,7 @@ TEST_CASE("the option --help lists the commands, and each command's help shows a
   const Outcome help = run(folder, {"--help"});
   CHECK(help.exit_code == 0);
   CHECK(help.err.empty());
-  for (const char* name : {"render", "intervals", "locate", "info"}) {
+  for (const char* name : {"render", "intervals", "locate", "info", "verify"}) {
     INFO(name);
     CHECK(contains(help.out, std::string("\n  ") + name + " "));
     const Outcome own = run(folder, {name, "--help"});

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "raycast/caster.h"
+#include "verify/random.h"
+
+namespace csgcast::verify {
+
+/// A point on a surface, up to a few ulps.
+struct SurfacePlace {
+  SurfaceId surface;
+  Point point;
+  Vector normal;  ///< unit; zero at an apex
+};
+
+/// A point where two or three surfaces meet, up to a few ulps.
+struct Corner {
+  Point point;
+  Vector
+      along;  ///< the edge's direction, of any length, zero where it has none; of three surfaces that of the first two
+};
+
+/// Finds places of a scene where rays are hard: any scene, bounded or not, of any size, empty ones too. What cannot be
+/// found after some tries, or does not exist, is nullopt. Working memory for one thread; what is found depends only on
+/// the scene and the random source.
+class ScenePlaces {
+ public:
+  /// The scene must outlive it.
+  explicit ScenePlaces(const Scene& scene);
+
+  const Scene& scene() const { return caster_.scene(); }
+  Caster& caster() { return caster_; }
+  /// About the size of the bounded leaves together, a power of two; 1 if there are none.
+  double size() const { return size_; }
+
+  /// A point among the bounded leaves, often near one of them.
+  Point anywhere(Random& random) const;
+  /// A point on a surface, on the boundary of the solid or not. `kind` asks for planes or quadrics only.
+  std::optional<SurfacePlace> on_surface(Random& random, std::optional<SurfaceKind> kind = std::nullopt);
+  /// A point where `count` surfaces meet, 2 or 3: of one leaf, or of leaves that one ray meets.
+  std::optional<Corner> corner(Random& random, std::size_t count);
+  /// The apex of a cone or the center of another quadric.
+  std::optional<Point> center(Random& random);
+
+ private:
+  bool has(SurfaceKind kind) const { return kind == SurfaceKind::plane ? has_planes_ : has_quadrics_; }
+  const Leaf* some_leaf(Random& random, Box* box) const;
+  std::optional<SurfaceId> some_surface(Random& random) const;
+  std::optional<SurfacePlace> hit(Random& random);
+  std::size_t pick_surfaces(Random& random, std::size_t count, SurfaceId* picked, Point& start);
+
+  Caster caster_;
+  IntervalList list_;
+  Box region_;
+  double size_;
+  bool has_planes_ = false;
+  bool has_quadrics_ = false;
+};
+
+}  // namespace csgcast::verify
