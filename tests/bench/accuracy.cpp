@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Run time against error, family by family: six ways of computing in the same caster, and first hits of POV-Ray and
+// Run time against error, family by family: ways of computing in the same caster, and first hits of POV-Ray and
 // (where it was found when this was built) Embree. Writes CSV; run.py makes tables and plots of it.
-// Usage: bench_accuracy OUTPUT.csv FOLDER [RAYS_PER_FAMILY]      files for POV-Ray are written to FOLDER
+// Usage: bench_accuracy OUTPUT.csv FOLDER RAYS_PER_FAMILY [FAMILY ..]      files for POV-Ray are written to FOLDER
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -24,9 +24,15 @@ namespace {
 
 constexpr int rays_per_scene = 100;
 
-std::vector<stress::Family> all_families() {
+// Those of the names, or all.
+std::vector<stress::Family> families(const std::vector<std::string>& names) {
   std::vector<stress::Family> list(stress::families().begin(), stress::families().end());
   list.insert(list.end(), ball_families().begin(), ball_families().end());
+  if (!names.empty()) {
+    std::erase_if(list, [&names](const stress::Family& family) {
+      return std::find(names.begin(), names.end(), family.name) == names.end();
+    });
+  }
   return list;
 }
 
@@ -37,14 +43,16 @@ void write(std::ofstream& file, const Measurement& m) {
        << std::flush;
 }
 
-void run(const std::filesystem::path& output, const std::filesystem::path& folder, int rays) {
+void run(const std::filesystem::path& output, const std::filesystem::path& folder, int rays,
+         const std::vector<std::string>& names) {
   std::ofstream file(output);
   if (!file) throw std::runtime_error("cannot write " + output.string());
   file << "family,way,query,rays,wrong,clear_rays,wrong_clear,ulps_99,ulps_most,nanoseconds\n";
-  for (const stress::Family& family : all_families()) {
+  for (const stress::Family& family : families(names)) {
     fmt::print(stderr, "{}\n", family.name);
     const std::vector<Sample> samples = make_samples(family, rays, rays_per_scene);
     for (const Measurement& m : measure_ways(family.name, samples)) write(file, m);
+    for (const Measurement& m : measure_exact(family.name, samples)) write(file, m);
     if (const auto hits = ask_povray(samples, folder)) write(file, judge(family.name, "POV-Ray", samples, *hits));
 #ifdef CSGCAST_BENCH_EMBREE
     if (const auto hits = ask_embree(samples)) write(file, judge(family.name, "Embree", samples, *hits));
@@ -56,12 +64,12 @@ void run(const std::filesystem::path& output, const std::filesystem::path& folde
 }  // namespace csgcast::bench
 
 int main(int argc, char** argv) {
-  if (argc < 3) {
-    fmt::print(stderr, "usage: bench_accuracy OUTPUT.csv FOLDER [RAYS_PER_FAMILY]\n");
+  if (argc < 4) {
+    fmt::print(stderr, "usage: bench_accuracy OUTPUT.csv FOLDER RAYS_PER_FAMILY [FAMILY ..]\n");
     return 2;
   }
   try {
-    csgcast::bench::run(argv[1], argv[2], argc > 3 ? std::atoi(argv[3]) : 4000);
+    csgcast::bench::run(argv[1], argv[2], std::stoi(argv[3]), {argv + 4, argv + argc});
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;

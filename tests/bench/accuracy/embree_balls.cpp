@@ -4,12 +4,12 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <type_traits>
 
 #include "tests/bench/accuracy/ball_families.h"
+#include "tests/bench/accuracy/stopwatch.h"
 
 namespace csgcast::bench {
 namespace {
@@ -70,9 +70,9 @@ std::optional<FirstHits> ask_embree(std::span<const Sample> samples) {
     const Owned<RTCScene> scene = make_scene(device.get(), *balls);
     for (const Ray& ray : sample.rays) answer.t.push_back(first_hit(scene.get(), ray));
     for (double& sum : seconds) {
-      const auto start = std::chrono::steady_clock::now();
+      const Stopwatch watch;
       for (const Ray& ray : sample.rays) first_hit(scene.get(), ray);
-      sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      sum += watch.seconds();
     }
   }
   std::nth_element(seconds.begin(), seconds.begin() + passes / 2, seconds.end());

@@ -2,17 +2,15 @@
 #include "tests/bench/accuracy/measure.h"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <memory>
 
 #include "tests/bench/accuracy/error.h"
+#include "tests/bench/accuracy/stopwatch.h"
 #include "tests/bench/accuracy/ways.h"
 
 namespace csgcast::bench {
 namespace {
 
-constexpr int passes = 5;
+constexpr std::size_t passes = 5;
 
 enum class Query : std::uint8_t { lists, first };
 
@@ -23,7 +21,7 @@ std::size_t count_rays(std::span<const Sample> samples) {
 }
 
 double seconds(Caster& caster, const std::vector<Ray>& rays, Query query, IntervalList& list) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   for (const Ray& ray : rays) {
     caster.begin(ray);
     if (query == Query::lists) {
@@ -32,7 +30,7 @@ double seconds(Caster& caster, const std::vector<Ray>& rays, Query query, Interv
       caster.first_hit();
     }
   }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return watch.seconds();
 }
 
 double median(std::vector<double> values) {
@@ -40,19 +38,16 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Seconds for all samples, way by way: the median of several passes, in which the ways take turns scene by scene. The
-/// exact way, a hundred times slower, has one pass.
+/// Seconds for all samples, way by way: the median of several passes, in which the ways take turns scene by scene.
 std::vector<double> time_ways(std::span<const Sample> samples, Query query) {
-  std::vector<std::vector<double>> totals(ways().size());
+  std::vector<std::vector<double>> totals(ways().size(), std::vector<double>(passes));
   IntervalList list;
-  for (int pass = 0; pass < passes; ++pass) {
-    const std::size_t taking_part = pass == 0 ? ways().size() : ways().size() - 1;
-    for (std::size_t way = 0; way < taking_part; ++way) totals[way].push_back(0);
+  for (std::size_t pass = 0; pass < passes; ++pass) {
     for (const Sample& sample : samples) {
-      for (std::size_t way = 0; way < taking_part; ++way) {
+      for (std::size_t way = 0; way < ways().size(); ++way) {
         Caster caster(*sample.scene, ways()[way].predicates);
         seconds(caster, {sample.rays.front()}, query, list);  // its memory grows
-        totals[way].back() += seconds(caster, sample.rays, query, list);
+        totals[way][pass] += seconds(caster, sample.rays, query, list);
       }
     }
   }
@@ -122,6 +117,26 @@ std::vector<Measurement> measure_ways(const std::string& family, std::span<const
     results.push_back(judge(family, way.name, samples, first));
   }
   return results;
+}
+
+std::vector<Measurement> measure_exact(const std::string& family, std::span<const Sample> samples) {
+  FirstHits first;
+  double list_seconds = 0;
+  double first_seconds = 0;
+  for (const Sample& sample : samples) {
+    for (const FirstHit& hit : sample.first_hits) first.t.push_back(hit.t);
+    list_seconds += sample.exact_list_seconds;
+    first_seconds += sample.exact_first_seconds;
+  }
+  const std::size_t rays = count_rays(samples);
+  first.nanoseconds = first_seconds / static_cast<double>(rays) * 1e9;
+  Measurement lists;
+  lists.family = family;
+  lists.way = "exact";
+  lists.query = "lists";
+  lists.rays = rays;
+  lists.nanoseconds = list_seconds / static_cast<double>(rays) * 1e9;
+  return {lists, judge(family, lists.way, samples, first)};
 }
 
 Measurement judge(const std::string& family, const std::string& program, std::span<const Sample> samples,

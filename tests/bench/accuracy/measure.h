@@ -27,6 +27,8 @@ struct Measurement {
 
 /// All ways of ways.h on a family, for lists and for first hits.
 std::vector<Measurement> measure_ways(const std::string& family, std::span<const Sample> samples);
+/// The same of exact arithmetic, which the others are compared with: its time.
+std::vector<Measurement> measure_exact(const std::string& family, std::span<const Sample> samples);
 
 /// What another program says of the samples' rays, in order, and its time for one.
 struct FirstHits {

@@ -82,9 +82,10 @@ std::string object(const Solid& solid, std::string_view union_word) {
 
 }  // namespace
 
-std::optional<std::string> pov_object(const Solid& solid, InnerFaces inner_faces) {
+std::string pov_object(const Solid& solid, InnerFaces inner_faces) {
   const Solid simple = simplified(solid);
-  if (simple.kind() == Kind::empty || simple.kind() == Kind::everything) return std::nullopt;
+  if (simple.kind() == Kind::empty || simple.kind() == Kind::everything)
+    return "intersection { plane { x, -1 } plane { -x, -1 } }";
   return object(simple, inner_faces == InnerFaces::hidden ? "union" : "merge");
 }
 

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -24,8 +25,8 @@ InnerFaces inner_faces(const Sample& sample) {
   return InnerFaces::hidden;
 }
 
-// The program that traces all rays of all scenes `Rounds` times, and in the first round writes the points, 30 digits
-// after the point, with the length of the normal, 0 for no hit; with Loop = 1 it does everything but trace.
+// The program that traces all rays of all scenes `Rounds` times, and in the first round writes the points, in units of
+// about the scene, with the length of the normal, 0 for no hit; with Loop = 1 it does everything but trace.
 constexpr std::string_view program = R"(
 #for (Round, 1, Rounds)
   #for (I, 0, dimension_size(Origins, 1) - 1)
@@ -36,6 +37,7 @@ constexpr std::string_view program = R"(
       #local Hit = trace(Thing, Origins[I], Directions[I], Normal);
     #end
     #if (Round = 1)
+      #local Hit = Unit * Hit;
       #write (File, vlength(Normal), " ", str(Hit.x, 0, 30), " ", str(Hit.y, 0, 30), " ", str(Hit.z, 0, 30), "\n")
     #end
   #end
@@ -45,15 +47,16 @@ constexpr std::string_view program = R"(
 #undef Directions
 )";
 
-// False if a solid cannot be written.
-bool write_scenes(std::span<const Sample> samples, const std::filesystem::path& folder) {
+// The power of two that brings the scene to about size 1, so that 30 digits after the point are enough of any hit.
+int exponent_to_unit(const Sample& sample) { return -std::ilogb(sample.size); }
+
+void write_scenes(std::span<const Sample> samples, const std::filesystem::path& folder) {
   std::ofstream file(folder / "scenes.pov");
   file << "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location 0 look_at z }\n";
   file << "#fopen File \"written.txt\" write\n";
   for (const Sample& sample : samples) {
-    const std::optional<std::string> object = pov_object(sample.solid, inner_faces(sample));
-    if (!object) return false;
-    file << "#declare Thing = " << *object << "\n";
+    file << "#declare Thing = " << pov_object(sample.solid, inner_faces(sample)) << "\n";
+    file << fmt::format("#declare Unit = {:.17g};\n", std::ldexp(1.0, exponent_to_unit(sample)));
     const auto write_array = [&](std::string_view name, const auto& vector_of) {
       file << fmt::format("#declare {} = array[{}] {{\n", name, sample.rays.size());
       for (const Ray& ray : sample.rays) {
@@ -67,7 +70,6 @@ bool write_scenes(std::span<const Sample> samples, const std::filesystem::path& 
     file << program;
   }
   file << "#fclose File\n";
-  return file.good();
 }
 
 double seconds_of_children() {
@@ -110,6 +112,7 @@ std::optional<FirstHits> read_hits(std::span<const Sample> samples, const std::f
       double normal_length = 0;
       std::array<long double, 3> point{};
       if (!(file >> normal_length >> point[0] >> point[1] >> point[2])) return std::nullopt;
+      for (long double& coordinate : point) coordinate = std::ldexp(coordinate, -exponent_to_unit(sample));
       answer.t.push_back(normal_length > 0 ? std::optional(projected(ray, point)) : std::nullopt);
     }
   }
@@ -120,7 +123,7 @@ std::optional<FirstHits> read_hits(std::span<const Sample> samples, const std::f
 
 std::optional<FirstHits> ask_povray(std::span<const Sample> samples, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  if (!write_scenes(samples, folder)) return std::nullopt;
+  write_scenes(samples, folder);
   const std::optional<double> tracing = run(folder, "hits.txt", false);
   const std::optional<double> looping = run(folder, "loop.txt", true);
   if (!tracing || !looping) return std::nullopt;

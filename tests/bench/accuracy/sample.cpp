@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tests/bench/accuracy/error.h"
+#include "tests/bench/accuracy/stopwatch.h"
 
 namespace csgcast::bench {
 namespace {
@@ -18,20 +19,40 @@ std::optional<double> first_t(Caster& caster, const Ray& ray) {
   return hit ? std::optional(hit->crossing.t) : std::nullopt;
 }
 
-// The exact answer of a neighbour is wanted; certified predicates give it, many times faster.
-FirstHit first_hit(const Sample& sample, Caster& exact, Caster& certified, const Ray& ray) {
-  FirstHit hit;
-  hit.t = first_t(exact, ray);
-  const double reach = sample.size_along(ray);
-  hit.is_compared = !hit.t || *hit.t > nearest_compared * reach;
+// Whether four neighbours of the ray hit the same. Certified predicates give the exact answer, many times faster.
+bool is_clear(const Sample& sample, Caster& certified, const Ray& ray, const std::optional<double>& t) {
   const Vector d = ray.direction();
   const Vector aside = normalised(cross(d, std::fabs(d.z) < 0.7 * length(d) ? Vector{0, 0, 1} : Vector{1, 0, 0}));
   const Vector up = normalised(cross(d, aside));
   for (const Vector& offset : {aside, -aside, up, -up}) {
     const Ray neighbour(ray.origin() + sideways * sample.size * offset, d);
-    hit.is_clear = hit.is_clear && is_same_hit(first_t(certified, neighbour), hit.t, reach);
+    if (!is_same_hit(first_t(certified, neighbour), t, sample.size_along(ray))) return false;
   }
-  return hit;
+  return true;
+}
+
+void add_lists(Sample& sample) {
+  Caster exact(*sample.scene, exact_predicates());
+  sample.lists.resize(sample.rays.size());
+  const Stopwatch watch;
+  for (std::size_t i = 0; i < sample.rays.size(); ++i) {
+    exact.begin(sample.rays[i]);
+    exact.intervals(sample.lists[i]);
+  }
+  sample.exact_list_seconds = watch.seconds();
+}
+
+void add_first_hits(Sample& sample) {
+  Caster exact(*sample.scene, exact_predicates());
+  const Stopwatch watch;
+  for (const Ray& ray : sample.rays) sample.first_hits.push_back({first_t(exact, ray)});
+  sample.exact_first_seconds = watch.seconds();
+  Caster certified(*sample.scene);
+  for (std::size_t i = 0; i < sample.rays.size(); ++i) {
+    FirstHit& hit = sample.first_hits[i];
+    hit.is_compared = !hit.t || *hit.t > nearest_compared * sample.size_along(sample.rays[i]);
+    hit.is_clear = is_clear(sample, certified, sample.rays[i], hit.t);
+  }
 }
 
 Sample make_sample(stress::Trial trial) {
@@ -41,13 +62,8 @@ Sample make_sample(stress::Trial trial) {
   sample.scene = std::make_unique<const Scene>(compile(sample.solid));
   const Box& box = sample.scene->bounded_leaves();
   if (box.is_finite()) sample.size = length(box.size());
-  Caster exact(*sample.scene, exact_predicates());
-  Caster certified(*sample.scene);
-  for (const Ray& ray : sample.rays) {
-    exact.begin(ray);
-    exact.intervals(sample.lists.emplace_back());
-    sample.first_hits.push_back(first_hit(sample, exact, certified, ray));
-  }
+  add_lists(sample);
+  add_first_hits(sample);
   return sample;
 }
 

@@ -30,6 +30,8 @@ struct Sample {
   double size = 1;                   ///< the diagonal of the box of the bounded leaves, or 1 if there are none
   std::vector<IntervalList> lists;   ///< of each ray, from t = 0 on
   std::vector<FirstHit> first_hits;  ///< of each ray, from t = 0 on
+  double exact_list_seconds = 0;     ///< what exact arithmetic took for all lists, once
+  double exact_first_seconds = 0;    ///< and for all first hits
 
   /// The scene's size in units of a ray's t.
   double size_along(const Ray& ray) const { return size / length(ray.direction()); }

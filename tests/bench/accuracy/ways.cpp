@@ -24,7 +24,6 @@ std::span<const Way> ways() {
       {"shifted", uncertified_with(shifted_crossings)},
       {"compensated", uncertified_predicates()},
       {"certified", certified_predicates()},
-      {"exact", exact_predicates()},
   };
   return list;
 }

@@ -14,7 +14,7 @@ struct Way {
   Predicates predicates;
 };
 
-/// From the plainest to the exact one, which comes last.
+/// From the plainest to the certified one.
 std::span<const Way> ways();
 
 }  // namespace csgcast::bench
