@@ -99,18 +99,19 @@ LineAnswer answer_on_line(const Subject& subject, const Ray& ray) {
 }
 
 // The departed surface is t (square t + slope): away from the start it changes its sign at -slope / square.
-std::optional<DepartingAnswer> answer_on_departing_ray(const Subject& subject, const Ray& ray, std::size_t surface) {
+DepartingAnswer answer_on_departing_ray(const Subject& subject, const Ray& ray, std::size_t surface,
+                                        bool given_positive) {
   const LinePolynomial polynomial =
       subject.formula().surfaces()[surface].along({exact(ray.origin()), exact(ray.direction())});
   const int at_start = sign_of(polynomial.slope);
   const int in_the_end = sign_of(polynomial.square);
-  if (at_start == 0 && in_the_end == 0) return std::nullopt;
-  const bool positive_after = (at_start != 0 ? at_start : in_the_end) > 0;
+  const int after = at_start != 0 ? at_start : in_the_end;
+  const bool positive_after = after != 0 ? after > 0 : given_positive;
   Course course = course_of(subject.formula(), ray);
   std::erase_if(course.events, [surface](const Event& event) { return event.surface == surface; });
   course.positive[surface] = positive_after;
   if (at_start * in_the_end < 0) course.events.push_back({Root(-polynomial.slope / polynomial.square), surface});
-  return DepartingAnswer{clipped(follow(subject, std::move(course)).list, Span{}), positive_after};
+  return {clipped(follow(subject, std::move(course)).list, Span{}), positive_after, in_the_end == 0};
 }
 
 DefinedList clipped(const DefinedList& line, Span span) {

@@ -47,10 +47,12 @@ LineAnswer answer_on_line(const Subject& subject, const Ray& ray);
 /// not cross there, and is right after the start on the side to which the ray leads.
 struct DepartingAnswer {
   DefinedList list;
-  bool positive_after;
+  bool positive_after;  ///< that side
+  bool is_linear;       ///< the surface is, along the ray: whatever side is given, the ray's slope tells it
 };
-/// None if the surface, taken as zero at the start, is zero all along the ray.
-std::optional<DepartingAnswer> answer_on_departing_ray(const Subject& subject, const Ray& ray, std::size_t surface);
+/// `given_positive`: the side of a surface that is zero all along the ray.
+DepartingAnswer answer_on_departing_ray(const Subject& subject, const Ray& ray, std::size_t surface,
+                                        bool given_positive);
 
 /// What a span leaves of a list, by the rules for ends at, before and beyond the span's.
 DefinedList clipped(const DefinedList& line, Span span);

@@ -28,7 +28,7 @@ struct Tally {
   void complain(std::string text);
 };
 
-/// Rays a family: 25,000 if the environment has CSGCAST_LONG=1, else 400.
+/// Rays a family: 20,000 if the environment has CSGCAST_LONG=1, else 400.
 std::uint64_t rays_a_family();
 
 /// Compares trials of a family until so many rays are done: the compiled surfaces and leaves; on each ray the lists of

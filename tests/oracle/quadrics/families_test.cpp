@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "tests/oracle/quadrics/examination.h"
+#include "tests/oracle/quadrics/example_scenes.h"
 #include "tests/oracle/quadrics/tie_families.h"
 #include "tests/support/catch.h"
 
@@ -12,7 +13,6 @@ Tally require_agreement(const stress::Family& family, std::uint64_t rays = rays_
   const Tally tally = check_family(family, rays);
   fmt::print("{}\n", summary(family.name, tally));
   for (const std::string& complaint : tally.complaints) UNSCOPED_INFO(complaint);
-  INFO(family.name);
   CHECK(tally.wrong == 0);
   CHECK(tally.rays >= rays);
   CHECK(tally.ends > rays / 20);
@@ -20,7 +20,15 @@ Tally require_agreement(const stress::Family& family, std::uint64_t rays = rays_
 }
 
 TEST_CASE("every stress family gives the lists of the definition in CGAL's exact numbers") {
-  for (const stress::Family& family : stress::families()) require_agreement(family);
+  for (const stress::Family& family : stress::families()) {
+    DYNAMIC_SECTION(family.name) { require_agreement(family); }
+  }
+}
+
+TEST_CASE("every example scene gives the lists of the definition in CGAL's exact numbers") {
+  for (const stress::Family& scene : example_scenes()) {
+    DYNAMIC_SECTION(scene.name) { require_agreement(scene, rays_a_family() / 4); }
+  }
 }
 
 TEST_CASE("looks and parts of faces are those of the definition") { require_agreement(looks_and_parts()); }

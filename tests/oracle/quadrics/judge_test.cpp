@@ -139,14 +139,29 @@ TEST_CASE("the oracle notices a sliver of 1e-17 that is not there") {
   CHECK(sample.verdict() == "2 intervals, not 1");
 }
 
-TEST_CASE("the oracle notices another solid's surfaces") {
-  const Solid solid = sphere(1) - transformed(cylinder(4, 0.5, 0.5), translation({0, 0, -2}));
-  CHECK(Subject(solid).complaint().empty());
-  // An ulp of the radius is another surface, and so another list.
-  const Subject subject(sphere(1));
-  Case other(sphere(std::nextafter(1, 2)), Ray({-2, 0.25, 0}, {1, 0, 0}));
-  CHECK(other.verdict().empty());
-  CHECK_FALSE(difference(subject, other.found, answer_on_line(subject, Ray({-2, 0.25, 0}, {1, 0, 0})).list).empty());
+TEST_CASE("the oracle notices a radius, a transform and a half-space that are an ulp off or turned round") {
+  const double next = std::nextafter(1, 2);
+  const Solid ball = sphere(1);
+  const Transform moved = translation({1, 2, 3});
+  const Transform moved_otherwise = translation({1, 2, std::nextafter(3, 4)});
+  CHECK(Subject(transformed(ball, moved)).complaint().empty());
+  CHECK_FALSE(Subject(ball, sphere(next)).complaint().empty());
+  CHECK_FALSE(Subject(transformed(ball, moved), transformed(ball, moved_otherwise)).complaint().empty());
+  CHECK_FALSE(Subject(halfspace({1, 0, 0}, 1), halfspace({-1, 0, 0}, -1)).complaint().empty());
+  CHECK_FALSE(Subject(ball + box({1, 1, 1}), box({1, 1, 1}) + ball).complaint().empty());
+}
+
+TEST_CASE("the oracle notices the wrong operation on curved solids") {
+  const Solid ball = sphere(1);
+  const Solid rod = cylinder(4, 0.5, 0.5, Centering::centered);
+  const Ray ray({-2, 0.25, 0.125}, {1, 0, 0});
+  for (const Solid& compiled : {ball + rod, ball & rod, rod - ball}) {
+    const Subject subject(ball - rod, compiled);
+    CHECK(subject.complaint().empty() == (compiled.kind() != Solid::Kind::subtract));
+    Caster caster(subject.scene());
+    caster.begin(ray);
+    CHECK_FALSE(difference(subject, found_list(caster, Span::line()), answer_on_line(subject, ray).list).empty());
+  }
 }
 
 TEST_CASE("the oracle notices a reversed list that is no mirror image") {

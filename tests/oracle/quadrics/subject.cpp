@@ -19,9 +19,9 @@ std::vector<Half> sorted(std::vector<Half> halves) {
 
 }  // namespace
 
-Subject::Subject(const Solid& solid)
-    : formula_(solid),
-      scene_(compile(with_numbered_leaves(solid))),
+Subject::Subject(const Solid& defined, const Solid& compiled)
+    : formula_(defined),
+      scene_(compile(with_numbered_leaves(compiled))),
       surface_id_(formula_.surfaces().size()),
       leaf_id_(formula_.leaves().size()) {
   std::map<RationalForm, SurfaceId> ids;

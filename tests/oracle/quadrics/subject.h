@@ -14,7 +14,9 @@ namespace csgcast::oracle::quadrics {
 /// as exact integers and leaves by their number in the file, so that answers can be compared.
 class Subject {
  public:
-  explicit Subject(const Solid& solid);
+  explicit Subject(const Solid& solid) : Subject(solid, solid) {}
+  /// The product is given another solid: only a test of the oracle itself wants that.
+  Subject(const Solid& defined, const Solid& compiled);
 
   const Formula& formula() const { return formula_; }
   const Scene& scene() const { return scene_; }
