@@ -15,7 +15,8 @@ std::string render_stats(const RenderOptions& options, const RenderReport& repor
   json.member("reflection", report.rays.reflection).member("transmission", report.rays.transmission).end_object();
   json.member("total_reflections", report.total_reflections);
   json.member("surface_tests", report.casts.surface_tests).member("box_tests", report.casts.box_tests);
-  json.member("leaf_tests", report.casts.leaf_tests).member("exact_calls", report.casts.exact_calls);
+  json.member("leaf_tests", report.casts.leaf_tests).member("twofold_calls", report.casts.twofold_calls);
+  json.member("exact_calls", report.casts.exact_calls).member("rays_flagged", report.casts.rays_flagged);
   json.key("skipped").begin_object();
   json.member("shadow_facing_away", report.skipped.shadow_facing_away);
   json.member("shadow_without_effect", report.skipped.shadow_without_effect);

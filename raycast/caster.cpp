@@ -13,6 +13,7 @@ CasterCounts& CasterCounts::operator+=(const CasterCounts& other) {
   surface_tests += other.surface_tests;
   box_tests += other.box_tests;
   leaf_tests += other.leaf_tests;
+  twofold_calls += other.twofold_calls;
   exact_calls += other.exact_calls;
   rays_flagged += other.rays_flagged;
   return *this;
@@ -66,6 +67,7 @@ CasterCounts Caster::counts() const {
           state.cache.surface_tests(),
           state.evaluator.box_tests(),
           state.evaluator.leaf_tests(),
+          state.cache.exact_calls().twofold,
           state.cache.exact_calls().structural(),
           state.cache.rays_flagged()};
 }

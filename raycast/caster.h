@@ -42,8 +42,9 @@ struct CasterCounts {
   std::uint64_t surface_tests = 0;  ///< crossings computed
   std::uint64_t box_tests = 0;
   std::uint64_t leaf_tests = 0;
-  std::uint64_t exact_calls = 0;   ///< decisions that floating point could not take
-  std::uint64_t rays_flagged = 0;  ///< rays with such a decision
+  std::uint64_t twofold_calls = 0;  ///< decisions that double could not take, but twofold (double-double) could
+  std::uint64_t exact_calls = 0;    ///< decisions that took exact numbers
+  std::uint64_t rays_flagged = 0;   ///< rays with a decision of either kind
   CasterCounts& operator+=(const CasterCounts& other);
 };
 

@@ -6,6 +6,7 @@
 #include "raycast/detail/exact_line.h"
 #include "raycast/detail/line_filter.h"
 #include "raycast/detail/nearest_t.h"
+#include "raycast/detail/twofold_line.h"
 #include "raycast/detail/uncertified_line.h"
 
 namespace csgcast {
@@ -30,6 +31,12 @@ std::weak_ordering order_with_infinity(double t) {
 
 LineCrossings certified_crossings(const Line& line, SurfaceId id, const Surface& surface, ExactCalls& calls) {
   if (const std::optional<LineCrossings> found = filtered(line, id, surface)) return *found;
+  if (id != line.departure) {
+    if (const std::optional<LineCrossings> found = detail::twofold_crossings(line.in_frame, surface)) {
+      ++calls.twofold;
+      return *found;
+    }
+  }
   ++calls.existence;
   return detail::exact_crossings(line, id, surface);
 }
@@ -39,6 +46,15 @@ std::weak_ordering certified_order(const Line& line, const CrossingView& a, cons
   const double gap = a.tau() - b.tau();
   // The subtraction and the sum of the errors round by a relative u each: twice the errors cover both.
   if (std::fabs(gap) > 2 * (a.found->error + b.found->error)) return by_value(gap);
+  if (a.id != line.departure && b.id != line.departure) {
+    const auto root_a = detail::twofold_root(line.in_frame, a);
+    const auto root_b = detail::twofold_root(line.in_frame, b);
+    const int sign = root_a && root_b ? detail::certain_order(*root_a, *root_b) : 0;
+    if (sign != 0) {
+      ++calls.twofold;
+      return by_value(sign);
+    }
+  }
   ++calls.order;
   return detail::exact_root(line, a) <=> detail::exact_root(line, b);
 }

@@ -28,12 +28,14 @@ struct Line {
   Sense departure_side = Sense::positive;
 };
 
-/// Decisions that floating point left open, by kind.
+/// Decisions that double left open: those that twofold arithmetic took, and the rest, by kind, that took exact numbers.
 struct ExactCalls {
+  std::uint64_t twofold = 0;
   std::uint64_t existence = 0;
   std::uint64_t order = 0;
   std::uint64_t rounding = 0;  ///< of a reported t; decides no structure
   std::uint64_t structural() const { return existence + order; }
+  std::uint64_t beyond_double() const { return twofold + structural(); }
 };
 
 /// What one line meets of one surface f: its crossings in ascending order and the sign of f before the first.

@@ -18,8 +18,9 @@ inline bool may_meet(const Box& box, const Ray& ray, Span& span) {
   constexpr double slack = 0x1p-40;
   const Point o = ray.origin();
   const Vector d = ray.direction();
-  double near = span.from - slack * std::fabs(span.from);
-  double far = span.to + slack * std::fabs(span.to);
+  // A product leaves an infinite end as it is: a crossing may lie beyond the doubles.
+  double near = span.from * (1 - std::copysign(slack, span.from));
+  double far = span.to * (1 + std::copysign(slack, span.to));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (d[axis] == 0) {
       if (o[axis] < box.lower[axis] || o[axis] > box.upper[axis]) return false;

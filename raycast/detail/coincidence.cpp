@@ -15,8 +15,6 @@ constexpr double most_error = 0x1p-20;
 // Of f_i g_m - g_i f_m in twofold numbers: each is off by a relative 2^-104, products and difference by a few more.
 constexpr double rounding = 0x1p-100;
 
-Twofold operator-(Twofold a) { return {-a.high, -a.low}; }
-
 // The index of the second-degree term of two axes.
 constexpr std::size_t term_of(std::size_t k, std::size_t l) {
   if (k == l) return Form::xx + k;

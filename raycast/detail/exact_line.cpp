@@ -135,9 +135,11 @@ LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& sur
   if (id == line.departure) {
     // f / t = b t + c: after the start f keeps the departure's side up to a crossing if that is not its side in the
     // end. At a silhouette the crossing may come out before the start: then it is at the start.
+    // Where f is linear on the line, its slope alone tells the side; it has none where the line lies in a plane.
     const bool positive = line.departure_side == Sense::positive;
-    found.positive_before = positive;
-    if (surface.kind == SurfaceKind::plane || f.b.is_zero() || (f.b.sign() > 0) == positive) return found;
+    const bool is_linear = f.b.is_zero();
+    found.positive_before = is_linear && !f.c.is_zero() ? f.c.sign() > 0 : positive;
+    if (is_linear || (f.b.sign() > 0) == positive) return found;
     found.count = 1;
     set_tau(line, found, 0, f.b.sign() * f.c.sign() < 0 ? approximate(ExactRoot(f, 0), f) : Dyadic());
     return found;

@@ -26,7 +26,7 @@ class LineCache {
   /// was made.
   std::uint64_t surface_tests() const { return surface_tests_; }
   const ExactCalls& exact_calls() const { return exact_calls_; }
-  std::uint64_t rays_flagged() const { return rays_flagged_ + (exact_calls_.structural() != calls_at_begin_ ? 1 : 0); }
+  std::uint64_t rays_flagged() const { return rays_flagged_ + (exact_calls_.beyond_double() != calls_at_begin_ ? 1 : 0); }
 
   const LineCrossings& found(SurfaceId id);
   Crossing crossing(SurfaceId id, std::uint8_t root) {
@@ -36,10 +36,14 @@ class LineCache {
   Crossing reported(const Crossing& crossing);
   /// Numbers that no exact t of a crossing is below, or above; of an infinite end, itself. For culling.
   double earliest(const Crossing& crossing) {
-    return crossing.surface.valid() ? crossing.t - slack(crossing) : crossing.t;
+    if (!crossing.surface.valid()) return crossing.t;
+    const double off = slack(crossing);
+    return std::isinf(off) ? -off : crossing.t - off;  // t may be infinite, too: it lies beyond the doubles
   }
   double latest(const Crossing& crossing) {
-    return crossing.surface.valid() ? crossing.t + slack(crossing) : crossing.t;
+    if (!crossing.surface.valid()) return crossing.t;
+    const double off = slack(crossing);
+    return std::isinf(off) ? off : crossing.t + off;
   }
 
   /// Orders crossings that may be infinite ends (no surface, t = ±infinity).

@@ -108,15 +108,26 @@ std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surfac
   return found;
 }
 
+// A coefficient, a product and two additions in each term.
+Bounded slope_of(const LineFrame& line, const Surface& plane) {
+  return {plane_on_line(line, plane).slope, 5 * u * plane.first_degree * longest(line.direction)};
+}
+
+// Exactly, every product having a factor zero.
+bool is_parallel(const LineFrame& line, const Surface& plane) {
+  const auto vanishes = [&](Form::Term term, double d) { return plane.local[term] == 0 || d == 0; };
+  const Vector d = line.direction;
+  return vanishes(Form::x, d.x) && vanishes(Form::y, d.y) && vanishes(Form::z, d.z);
+}
+
 }  // namespace
 
 std::optional<LineCrossings> filtered_plane(const LineFrame& line, const Surface& plane) {
   if (!plane.in_range || !line.in_range) return std::nullopt;
-  const double e = longest(line.direction);
   const double size = longest(line.near);
-  // A coefficient, a product and two additions each; the value has one addition more, and the error of `near`.
+  const Bounded slope = slope_of(line, plane);
+  // The value has one addition more than the slope, and the error of `near`.
   const PlaneOnLine f = plane_on_line(line, plane);
-  const Bounded slope{f.slope, 5 * u * plane.first_degree * e};
   const Bounded value{f.value,
                       (6 * u * (plane.first_degree * size + plane.constant) + plane.first_degree * line.near_error) *
                           rounding_of_bounds};
@@ -130,11 +141,7 @@ std::optional<LineCrossings> filtered_plane(const LineFrame& line, const Surface
     found.positive_before = slope.value < 0;
     return found;
   }
-  // Parallel exactly, every product having a factor zero.
-  const auto vanishes = [&](Form::Term term, double d) { return plane.local[term] == 0 || d == 0; };
-  const Vector d = line.direction;
-  const bool parallel = vanishes(Form::x, d.x) && vanishes(Form::y, d.y) && vanishes(Form::z, d.z);
-  if (parallel && value.is_certain()) return none(value.value > 0);
+  if (is_parallel(line, plane) && value.is_certain()) return none(value.value > 0);
   // Nearly so: the crossing, if there is one, lies out of reach.
   const double farthest = (reach + 2 * size) * slope.most() * rounding_of_bounds;
   if (plane.is_local && value.least() > farthest) return none(value.value > 0);
@@ -160,8 +167,12 @@ std::optional<LineCrossings> filtered_quadric(const LineFrame& line, const Surfa
 
 std::optional<LineCrossings> filtered_departure(const Line& line, const Surface& surface) {
   const bool positive = line.departure_side == Sense::positive;
-  if (surface.kind == SurfaceKind::plane) return none(positive);
   if (!surface.in_range || !line.in_frame.in_range) return std::nullopt;
+  if (surface.kind == SurfaceKind::plane) {
+    const Bounded slope = slope_of(line.in_frame, surface);
+    if (slope.is_certain()) return none(slope.value > 0);
+    return is_parallel(line.in_frame, surface) ? std::optional(none(positive)) : std::nullopt;
+  }
   // c is 0 at the start by definition: f = t (a t + 2 b). On the way f has the sign of the departure's side at first
   // and that of a in the end, so there is a crossing after the start exactly if these differ.
   const LineFrame& in_frame = line.in_frame;

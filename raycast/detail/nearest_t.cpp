@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "raycast/detail/exact_line.h"
-#include "raycast/detail/twofold.h"
+#include "raycast/detail/twofold_line.h"
 
 namespace csgcast::detail {
 namespace {
@@ -104,6 +104,9 @@ double nearest_t(const Line& line, const CrossingView& crossing, ExactCalls& cal
   const bool plain = crossing.id != line.departure && crossing.surface->in_range && line.in_frame.in_range;
   if (plain) {
     if (const std::optional<double> t = newton(line.in_frame, crossing)) return *t;
+    if (const std::optional<TwofoldRoot> root = twofold_root(line.in_frame, crossing)) {
+      if (const std::optional<double> t = rounded(line.in_frame, root->tau.high, root->tau.low, root->error)) return *t;
+    }
   }
   ++calls.rounding;
   return exact_nearest_t(line, crossing);

@@ -32,6 +32,8 @@ inline Twofold two_product(double a, double b) {
   return {product, std::fma(a, b, -product)};
 }
 
+inline Twofold operator-(Twofold a) { return {-a.high, -a.low}; }
+
 // Sums and products of twofold numbers. With u = 2^-53 the relative errors are below 3u² + 13u³ (sum), 7u² (product)
 // and 2u² (by a double). Source: Joldes, Muller and Popescu 2017, Tight and rigorous error bounds for basic building
 // blocks of double-word arithmetic: AccurateDWPlusDW, DWTimesDW1, DWTimesFP1.

@@ -42,7 +42,10 @@ LineCrossings quadric(const LineFrame& line, const Surface& surface) {
 
 LineCrossings departing(const Line& line, const Surface& surface) {
   const bool positive = line.departure_side == Sense::positive;
-  if (surface.kind == SurfaceKind::plane) return none(positive);
+  if (surface.kind == SurfaceKind::plane) {
+    const double slope = plane_on_line(line.in_frame, surface).slope;
+    return none(slope == 0 ? positive : slope > 0);
+  }
   const QuadricOnLine f = quadric_on_line(line.in_frame, surface);
   if (f.a == 0 || (f.a > 0) == positive) return none(positive);
   const double start = -line.in_frame.shift;

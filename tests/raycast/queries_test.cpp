@@ -247,3 +247,35 @@ TEST_CASE("solids beyond the range of the engine are refused, those at its ends 
     CHECK(scenery.caster.first_hit().value().crossing.t == 1);
   }
 }
+
+TEST_CASE("a crossing beyond the doubles has a face, and its t is infinite") {
+  const Scene scene = compile(halfspace({0, 0, 1}, 0) + box({1, 1, 1}));
+  Caster caster(scene);
+  caster.begin(Ray({4, 0, 2}, {1, 0, -0x1p-1073}));
+  const std::optional<Hit> hit = caster.first_hit();
+  REQUIRE(hit);
+  CHECK(std::isinf(hit->crossing.t));
+  CHECK(caster.attribute(*hit).leaf == LeafId(0));
+  CHECK(caster.attribute(*hit).normal == Normal{0, 0, 1});
+}
+
+TEST_CASE("a ray that leads out of the face it departs from is outside, whatever side is claimed") {
+  const Scene scene = compile(box({1, 1, 1}));
+  for (const Predicates* predicates : {&certified_predicates(), &exact_predicates(), &uncertified_predicates()}) {
+    Caster caster(scene, *predicates);
+    const auto list_of = [&](Vector d, Sense side) {
+      caster.begin(Ray({1, 0.5, 0.5}, d), Departure{SurfaceId(1), side});
+      IntervalList list;
+      caster.intervals(list);
+      return list;
+    };
+    for (const Sense side : {Sense::negative, Sense::positive}) {
+      CHECK(list_of({1, 0.1, 0.1}, side).empty());
+      CHECK(list_of({0x1p-200, 1, 1}, side).empty());
+      CHECK(list_of({-0x1p-200, 1, 1}, side).size() == 1);
+    }
+    // Within the face only the claim tells.
+    CHECK(list_of({0, 1, 1}, Sense::positive).empty());
+    CHECK(list_of({0, 1, 1}, Sense::negative).size() == 1);
+  }
+}
