@@ -68,7 +68,6 @@ LineAnswer follow(const Subject& subject, Course course) {
   const Formula& formula = subject.formula();
   auto [state, events] = start_of_line(subject, std::move(course));
   LineAnswer answer;
-  answer.crossings = events.size();
   bool is_inside = formula.value(state);
   DefinedEnd entry;
   for (auto next = events.begin(); next != events.end();) {

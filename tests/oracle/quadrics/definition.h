@@ -38,7 +38,6 @@ using DefinedList = std::vector<DefinedInterval>;
 /// formula between them, and the rules for surface and leaf at each end.
 struct LineAnswer {
   DefinedList list;
-  std::uint64_t crossings = 0;
   std::uint64_t ties = 0;  ///< groups of two or more
 };
 LineAnswer answer_on_line(const Subject& subject, const Ray& ray);

@@ -137,10 +137,12 @@ class Examination {
     const bool positive = expected.is_linear ? given_positive : expected.positive_after;
     const Departure departure{subject_.surface_id(surface), positive ? Sense::positive : Sense::negative};
     ++tally_.departures;
+    const std::string ray_title = title_;
     title_ += fmt::format(": departs from #{} at {} + t {}, {}", departure.surface.index(), text(start),
                           text(direction), positive ? "positive" : "negative");
     caster_.begin(departing, departure);
     examine_list({}, expected.list);
+    title_ = ray_title;
   }
 
   void count_ends(const DefinedList& list) {
