@@ -44,7 +44,7 @@ double median(std::vector<double> values) {
 /// One scene at one scale, with its rays.
 struct Subject {
   Subject(const Solid& solid, const std::vector<Ray>& rays_at_1, double factor)
-      : scene(compile(scaled(solid, factor))), caster(scene) {
+      : scene(compile(scaled(solid, factor), Welding::derived())), caster(scene) {
     for (const Ray& ray : rays_at_1) {
       const Point o = ray.origin();
       rays.emplace_back(Point{factor * o.x, factor * o.y, factor * o.z}, ray.direction());
@@ -141,7 +141,7 @@ void report_on_ground(const std::string& name, const Solid& solid) {
   const std::array grounds{std::pair{"slab", transformed(box({2e6, 2e6, 1}), translation({-1e6, -1e6, -1}))},
                            std::pair{"half-space", halfspace({0, 0, 1}, 0)}};
   for (const auto& [ground, floor] : grounds) {
-    const Scene scene = compile(part + floor);
+    const Scene scene = compile(part + floor, Welding::derived());
     fmt::print("{:12} {:10}", name, ground);
     for (const Point eye : {Point{0.02, -0.03, 0.025}, Point{-0.035, -0.01, 0.004}, Point{0.3, 0.2, 0.05}}) {
       Caster caster(scene);

@@ -18,6 +18,8 @@ SHARE = Axis("", "share of rays", 3e-5, 1.5, 1e-4, "none", "'0.1 %%' 1e-3, '1 %%
 ULPS = Axis("", "units in the last place", 1e-3, 1e18, 3e-2, "0",
             "'1' 1, '10^3' 1e3, '10^6' 1e6, '10^9' 1e9, '10^{12}' 1e12, '10^{15}' 1e15")
 
+ROUNDING = 12 ** -.5  # root mean square of what is uniform within half a step
+
 HEAD = """
 set terminal pngcairo size 1200,600 font 'DejaVu Sans,11' background '#ffffff'
 set output '{output}'
@@ -90,18 +92,22 @@ def draw_pair(rows, ways, query, share, titles, output):
 def draw_pictures(path, output):
     with open(path, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
+    seconds, errors = ([float(row[name]) for row in rows] for name in ("seconds", "error"))
     script = [f"""
 set terminal pngcairo size 760,480 font 'DejaVu Sans,11' background '#ffffff'
 set output '{output}'
 set logscale xy
 set border 3 lc rgb '#808080'
 set grid lc rgb '#e4e4e4' lt 1
-set tics nomirror scale 0.5
+set tics nomirror scale 0.5 textcolor rgb '#202020'
 set xlabel 'seconds'
 set ylabel 'root mean square error, of 255'
 set title 'Error of a picture against its time, by samples a pixel'
 set key top right samplen 2
-set offsets graph 0.05, graph 0.08, graph 0.08, graph 0.05
+set xrange [{min(seconds) / 2}:{max(seconds) * 3}]
+set yrange [{min(min(errors), ROUNDING) / 1.6}:{max(errors) * 2}]
+set arrow 1 from graph 0, first {ROUNDING} to graph 1, first {ROUNDING} nohead dashtype 2 lc rgb '#808080'
+set label 1 'what rounding to 8 bits adds' at graph 0.02, first {ROUNDING} offset 0,0.6 textcolor rgb '#606060'
 set format x '%g'
 set format y '%g'
 """]

@@ -2,12 +2,12 @@
 #include "tests/bench/accuracy/povray.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "tests/bench/accuracy/pov_text.h"
@@ -72,24 +72,25 @@ void write_scenes(std::span<const Sample> samples, const std::filesystem::path& 
   file << "#fclose File\n";
 }
 
-double seconds_of_children() {
-  rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+// What the log says of the time to parse, which is when the program runs: "using 1 thread(s) with 0.038 CPU-seconds".
+std::optional<double> seconds_in_log(const std::filesystem::path& log) {
+  std::ifstream file(log);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  const std::size_t parse_time = text.find("Parse Time:");
+  constexpr std::string_view before = "with ";
+  const std::size_t number = parse_time == std::string::npos ? parse_time : text.find(before, parse_time);
+  if (number == std::string::npos) return std::nullopt;
+  return std::strtod(text.c_str() + number + before.size(), nullptr);
 }
 
-// Seconds of processor time of one run; nothing if it fails.
+// Seconds of processor time that the program ran; nothing if it fails.
 std::optional<double> run(const std::filesystem::path& folder, std::string_view hits, bool only_loop) {
   const std::string command = fmt::format(
-      "cd '{}' && povray +Iscenes.pov +W1 +H1 -F -D -GA Declare=Rounds={} Declare=Loop={} >log.txt 2>&1 && "
+      "cd '{}' && povray +Iscenes.pov +W1 +H1 -F -D Declare=Rounds={} Declare=Loop={} >log.txt 2>&1 && "
       "mv written.txt {}",
       folder.string(), rounds, only_loop ? 1 : 0, hits);
-  const double before = seconds_of_children();
   if (std::system(command.c_str()) != 0) return std::nullopt;  // NOLINT(cert-env33-c): a benchmark's own command
-  return seconds_of_children() - before;
+  return seconds_in_log(folder / "log.txt");
 }
 
 // Where on the ray a point is: its projection, in extended precision since the differences cancel.
