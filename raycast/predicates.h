@@ -17,6 +17,10 @@
 
 namespace csgcast {
 
+namespace detail {
+class ExactMemory;
+}
+
 /// The line of one ray, as the predicates see it.
 struct Line {
   Line(const Ray& r, const Frame& frame, SurfaceId from = {}, Sense side = Sense::positive)
@@ -26,6 +30,7 @@ struct Line {
   LineFrame in_frame;
   SurfaceId departure;  ///< the surface that the ray starts on, exactly, by definition; or none
   Sense departure_side = Sense::positive;
+  detail::ExactMemory* exact = nullptr;  ///< what the exact stage remembers of this line; null: nothing
 };
 
 /// Decisions that double left open: those that twofold arithmetic took, and the rest, by kind, that took exact numbers.

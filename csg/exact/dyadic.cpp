@@ -49,6 +49,32 @@ bool is_odd_in_last_place(double magnitude) {
 
 }  // namespace
 
+// A mantissa as GMP reads it, without a copy.
+class Dyadic::MantissaView {
+ public:
+  explicit MantissaView(const Dyadic& number) {
+    static_assert(sizeof(mp_limb_t) == sizeof(std::uint64_t));
+    if (number.large_) {
+      view_ = number.large_->get_mpz_t();
+      return;
+    }
+    const Bits magnitude = absolute(number.small_);
+    limbs_[0] = static_cast<std::uint64_t>(magnitude);
+    limbs_[1] = static_cast<std::uint64_t>(magnitude >> 64);
+    const mp_size_t count = limbs_[1] != 0 ? 2 : limbs_[0] != 0 ? 1 : 0;
+    view_ = mpz_roinit_n(small_, limbs_, number.small_ < 0 ? -count : count);
+  }
+  MantissaView(const MantissaView&) = delete;
+  MantissaView& operator=(const MantissaView&) = delete;
+
+  operator mpz_srcptr() const { return view_; }  // NOLINT(google-explicit-constructor): what GMP's functions take
+
+ private:
+  mp_limb_t limbs_[2] = {0, 0};
+  mpz_t small_{};
+  mpz_srcptr view_ = nullptr;
+};
+
 Dyadic::Dyadic(double value) {
   if (value == 0) return;
   int exponent = 0;
@@ -60,6 +86,11 @@ Dyadic::Dyadic(double value) {
 
 Dyadic::Dyadic(const mpz_class& mantissa, std::int64_t exponent)
     : large_(std::make_unique<mpz_class>(mantissa)), exponent_(exponent) {
+  normalise();
+}
+
+Dyadic::Dyadic(std::unique_ptr<mpz_class> mantissa, std::int64_t exponent)
+    : large_(std::move(mantissa)), exponent_(exponent) {
   normalise();
 }
 
@@ -100,12 +131,8 @@ void Dyadic::normalise() {
 }
 
 mpz_class Dyadic::mantissa() const {
-  if (large_) return *large_;
-  const Bits magnitude = absolute(small_);
-  const std::uint64_t words[2] = {static_cast<std::uint64_t>(magnitude), static_cast<std::uint64_t>(magnitude >> 64)};
   mpz_class result;
-  mpz_import(result.get_mpz_t(), 2, -1, sizeof(std::uint64_t), 0, 0, words);
-  if (small_ < 0) mpz_neg(result.get_mpz_t(), result.get_mpz_t());
+  mpz_set(result.get_mpz_t(), MantissaView(*this));
   return result;
 }
 
@@ -140,18 +167,32 @@ Dyadic Dyadic::operator-() const {
   return result;
 }
 
-Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b) {
-  if (a.is_zero()) return b;
+Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b) {
+  const bool subtract = sign_of_b == Sign::minus;
+  if (a.is_zero()) return subtract ? -b : b;
   if (b.is_zero()) return a;
-  const Dyadic& high = a.exponent_ >= b.exponent_ ? a : b;
-  const Dyadic& low = a.exponent_ >= b.exponent_ ? b : a;
+  const bool a_is_high = a.exponent_ >= b.exponent_;
+  const Dyadic& high = a_is_high ? a : b;
+  const Dyadic& low = a_is_high ? b : a;
   const std::int64_t shift = high.exponent_ - low.exponent_;
   // Both summands below 2^126 in units of the lower exponent: so is their sum below 2^127.
   if (!high.large_ && !low.large_ && shift + static_cast<std::int64_t>(high.bits()) <= 126 && low.bits() <= 126) {
     const Small aligned = static_cast<Small>(static_cast<Bits>(high.small_) << shift);
-    return {aligned + low.small_, low.exponent_, nullptr};
+    const Small of_a = a_is_high ? aligned : low.small_;
+    const Small of_b = a_is_high ? low.small_ : aligned;
+    return {subtract ? of_a - of_b : of_a + of_b, low.exponent_, nullptr};
   }
-  return {mpz_class((high.mantissa() << static_cast<mp_bitcnt_t>(shift)) + low.mantissa()), low.exponent_};
+  auto result = std::make_unique<mpz_class>();
+  mpz_ptr sum = result->get_mpz_t();
+  mpz_mul_2exp(sum, MantissaView(high), static_cast<mp_bitcnt_t>(shift));
+  if (!subtract) {
+    mpz_add(sum, sum, MantissaView(low));
+  } else if (a_is_high) {
+    mpz_sub(sum, sum, MantissaView(low));
+  } else {
+    mpz_sub(sum, MantissaView(low), sum);
+  }
+  return {std::move(result), low.exponent_};
 }
 
 Dyadic Dyadic::product(const Dyadic& a, const Dyadic& b) {
@@ -160,7 +201,9 @@ Dyadic Dyadic::product(const Dyadic& a, const Dyadic& b) {
   if (!a.large_ && !b.large_ && !__builtin_mul_overflow(a.small_, b.small_, &small)) {
     return {small, a.exponent_ + b.exponent_, nullptr};
   }
-  return {mpz_class(a.mantissa() * b.mantissa()), a.exponent_ + b.exponent_};
+  auto result = std::make_unique<mpz_class>();
+  mpz_mul(result->get_mpz_t(), MantissaView(a), MantissaView(b));
+  return {std::move(result), a.exponent_ + b.exponent_};
 }
 
 bool operator==(const Dyadic& a, const Dyadic& b) {
@@ -191,12 +234,14 @@ Dyadic common_divisor(const Dyadic& a, const Dyadic& b) {
 Dyadic exact_quotient(const Dyadic& a, const Dyadic& b) {
   if (!a.large_ && !b.large_) return {a.small_ / b.small_, a.exponent_ - b.exponent_, nullptr};
   mpz_class quotient;
-  mpz_divexact(quotient.get_mpz_t(), a.mantissa().get_mpz_t(), b.mantissa().get_mpz_t());
+  mpz_divexact(quotient.get_mpz_t(), Dyadic::MantissaView(a), Dyadic::MantissaView(b));
   return {quotient, a.exponent_ - b.exponent_};
 }
 
 double Dyadic::nearest() const {
   if (is_zero()) return 0;
+  if (!large_ && bits() <= 53 && magnitude() <= 1024 && exponent_ >= -1074)
+    return std::ldexp(static_cast<double>(static_cast<std::int64_t>(small_)), static_cast<int>(exponent_));
   const Truncated cut = truncate(mantissa(), exponent_);
   double magnitude = cut.magnitude;
   if (cut.at_least_half && (!cut.exactly_half || is_odd_in_last_place(magnitude))) {

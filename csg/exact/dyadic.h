@@ -42,10 +42,10 @@ class Dyadic {
 
   Dyadic operator-() const;
   Dyadic& operator+=(const Dyadic& other) { return *this = sum(*this, other); }
-  Dyadic& operator-=(const Dyadic& other) { return *this = sum(*this, -other); }
+  Dyadic& operator-=(const Dyadic& other) { return *this = sum(*this, other, Sign::minus); }
   Dyadic& operator*=(const Dyadic& other) { return *this = product(*this, other); }
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b) { return sum(a, b); }
-  friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return sum(a, -b); }
+  friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return sum(a, b, Sign::minus); }
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b) { return product(a, b); }
   friend bool operator==(const Dyadic& a, const Dyadic& b);
   friend std::strong_ordering operator<=>(const Dyadic& a, const Dyadic& b);
@@ -66,8 +66,12 @@ class Dyadic {
   __extension__ using Small = __int128;
   __extension__ using Bits = unsigned __int128;
 
+  enum class Sign : std::uint8_t { plus, minus };
+  class MantissaView;
+
   Dyadic(Small mantissa, std::int64_t exponent, std::nullptr_t);
-  static Dyadic sum(const Dyadic& a, const Dyadic& b);
+  Dyadic(std::unique_ptr<mpz_class> mantissa, std::int64_t exponent);
+  static Dyadic sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b = Sign::plus);
   static Dyadic product(const Dyadic& a, const Dyadic& b);
   static Bits absolute(Small value) { return value < 0 ? -static_cast<Bits>(value) : static_cast<Bits>(value); }
   void normalise();

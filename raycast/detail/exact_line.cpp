@@ -81,6 +81,8 @@ void set_tau(const Line& line, LineCrossings& found, unsigned index, const Dyadi
   found.error = std::fmax(found.error, error);
 }
 
+ExactMemory& memory_of(const Line& line, ExactMemory& scratch) { return line.exact != nullptr ? *line.exact : scratch; }
+
 }  // namespace
 
 ExactPolynomial::ExactPolynomial(const Line& line, SurfaceId id, const Surface& surface) {
@@ -129,8 +131,30 @@ std::strong_ordering operator<=>(const ExactRoot& a, const ExactRoot& b) {
   return sign * a.q.sign() * b.q.sign() <=> 0;
 }
 
+ExactMemory::Known& ExactMemory::known(const Line& line, SurfaceId id, const Surface& surface) {
+  const std::size_t index = id.index();
+  if (index >= place_.size()) place_.resize(index + 1);
+  std::uint32_t& place = place_[index];
+  if (place < known_.size() && known_[place].id == id) return known_[place];
+  place = static_cast<std::uint32_t>(known_.size());
+  return known_.emplace_back(Known{id, ExactPolynomial(line, id, surface), {}});
+}
+
+const ExactPolynomial& ExactMemory::polynomial(const Line& line, SurfaceId id, const Surface& surface) {
+  return known(line, id, surface).polynomial;
+}
+
+const ExactRoot& ExactMemory::root(const Line& line, SurfaceId id, const Surface& surface, unsigned root) {
+  Known& entry = known(line, id, surface);
+  std::optional<ExactRoot>& known_root = entry.roots[root];
+  if (!known_root) known_root.emplace(entry.polynomial, root);
+  return *known_root;
+}
+
 LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& surface) {
-  const ExactPolynomial f(line, id, surface);
+  ExactMemory scratch;
+  ExactMemory& memory = memory_of(line, scratch);
+  const ExactPolynomial& f = memory.polynomial(line, id, surface);
   LineCrossings found;
   if (id == line.departure) {
     // f / t = b t + c: after the start f keeps the departure's side up to a crossing if that is not its side in the
@@ -152,24 +176,28 @@ LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& sur
     return found;
   }
   found.positive_before = f.a.sign() > 0;
-  const ExactRoot lower(f, 0);
+  const ExactRoot& lower = memory.root(line, id, surface, 0);
   if (lower.d.sign() <= 0) return found;
   found.count = 2;
   set_tau(line, found, 0, approximate(lower, f));
-  set_tau(line, found, 1, approximate(ExactRoot(f, 1), f));
+  set_tau(line, found, 1, approximate(memory.root(line, id, surface, 1), f));
   return found;
 }
 
 ExactRoot exact_root(const Line& line, const CrossingView& crossing) {
-  const ExactPolynomial f(line, crossing.id, *crossing.surface);
+  ExactMemory scratch;
+  ExactMemory& memory = memory_of(line, scratch);
+  const ExactPolynomial& f = memory.polynomial(line, crossing.id, *crossing.surface);
   if (crossing.id == line.departure && !(f.b.sign() * f.c.sign() < 0)) return ExactRoot(Dyadic());
   // A crossing whose partner is out of reach is the only one that floating point tells of.
-  if (crossing.found->count == 2 || f.a.is_zero()) return ExactRoot(f, crossing.root);
-  return ExactRoot(f, crossing.found->positive_before == (f.a.sign() > 0) ? 0 : 1);
+  unsigned root = crossing.root;
+  if (crossing.found->count == 1 && !f.a.is_zero()) root = crossing.found->positive_before == (f.a.sign() > 0) ? 0 : 1;
+  return memory.root(line, crossing.id, *crossing.surface, root);
 }
 
 double exact_nearest_t(const Line& line, const CrossingView& crossing) {
-  const ExactPolynomial f(line, crossing.id, *crossing.surface);
+  ExactMemory scratch;
+  const ExactPolynomial& f = memory_of(line, scratch).polynomial(line, crossing.id, *crossing.surface);
   const ExactRoot root = exact_root(line, crossing);
   const Dyadic t = approximate(root, f);
   const Dyadic slack = t.scaled(-112);  // well above the 2^-120 that the approximation is off by

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <compare>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
 
 #include "csg/exact/dyadic.h"
 #include "raycast/predicates.h"
@@ -32,6 +37,27 @@ struct ExactRoot {
 };
 
 std::strong_ordering operator<=>(const ExactRoot& a, const ExactRoot& b);
+
+/// What exact arithmetic found out about one line, to be asked for again: polynomials and roots by surface.
+class ExactMemory {
+ public:
+  void forget() { known_.clear(); }
+
+  const ExactPolynomial& polynomial(const Line& line, SurfaceId id, const Surface& surface);
+  /// Precondition: the polynomial has that root.
+  const ExactRoot& root(const Line& line, SurfaceId id, const Surface& surface, unsigned root);
+
+ private:
+  struct Known {
+    SurfaceId id;
+    ExactPolynomial polynomial;
+    std::array<std::optional<ExactRoot>, 2> roots;
+  };
+  Known& known(const Line& line, SurfaceId id, const Surface& surface);
+
+  std::deque<Known> known_;           // of the present line
+  std::vector<std::uint32_t> place_;  // by surface: where it is in known_, if it is there
+};
 
 LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& surface);
 /// The t of a crossing, correctly rounded: the nearest double, ties to even.

@@ -11,6 +11,8 @@ LineCache::LineCache(const Scene& scene, const Predicates& predicates)
 
 void LineCache::begin(const Ray& ray, SurfaceId departure, Sense side) {
   line_ = Line(ray, scene_.frame(), departure, side);
+  line_.exact = &exact_;
+  exact_.forget();
   rays_flagged_ = rays_flagged();
   calls_at_begin_ = exact_calls_.beyond_double();
   ++ray_number_;

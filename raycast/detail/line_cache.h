@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "raycast/detail/exact_line.h"
 #include "raycast/hit.h"
 #include "raycast/predicates.h"
 #include "raycast/scene.h"
@@ -76,6 +77,7 @@ class LineCache {
   const Scene& scene_;
   const Predicates predicates_;
   Line line_;
+  ExactMemory exact_;
   ExactCalls exact_calls_;
   std::uint64_t calls_at_begin_ = 0;
   std::uint64_t rays_flagged_ = 0;
