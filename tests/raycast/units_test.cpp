@@ -12,79 +12,16 @@
 #include "tests/support/examples.h"
 #include "tests/support/rounded_leaves.h"
 #include "tests/support/scene_rays.h"
+#include "tests/support/twins.h"
 
 using namespace csgcast;
+using test::scaled;
 using test::SceneRays;
+using test::Twins;
 
 namespace {
 
-Solid scaled(const Solid& solid, double factor) { return transformed(solid, scaling({factor, factor, factor})); }
-
-Point scaled(Point p, double factor) { return {factor * p.x, factor * p.y, factor * p.z}; }
-
 bool same_but_for_t(const Crossing& a, const Crossing& b) { return a.surface == b.surface && a.root == b.root; }
-
-bool same_attribution(const Attribution& a, const Attribution& b) {
-  return a.leaf == b.leaf && a.region == b.region && a.part == b.part && a.look == b.look && a.normal == b.normal &&
-         a.front == b.front;
-}
-
-bool same_work(const CasterCounts& a, const CasterCounts& b) {
-  return a.rays == b.rays && a.surface_tests == b.surface_tests && a.box_tests == b.box_tests &&
-         a.leaf_tests == b.leaf_tests && a.exact_calls == b.exact_calls && a.rays_flagged == b.rays_flagged;
-}
-
-// A scene and itself larger by a power of two, asked the same.
-class Twins {
- public:
-  Twins(const Scene& scene, const Scene& large, double factor) : factor_(factor), plain_(scene), large_(large) {}
-
-  // All queries about a ray of the scene, and about the same ray of the large one. The direction grows with the scene,
-  // then t is the same, or it stays, then t grows.
-  bool agree(const Ray& ray, bool direction_grows) {
-    const Vector d = direction_grows ? factor_ * ray.direction() : ray.direction();
-    times_ = direction_grows ? 1 : factor_;
-    plain_.begin(ray);
-    large_.begin(Ray(scaled(ray.origin(), factor_), d));
-    return same_lists(Span::line()) && same_lists({}) && same_first_hit() && plain_.any_hit() == large_.any_hit();
-  }
-  bool agree(Point p) {
-    const Point q = scaled(p, factor_);
-    return plain_.locate(p) == large_.locate(q) && plain_.part_at(p) == large_.part_at(q);
-  }
-  bool work_alike() const { return same_work(plain_.counts(), large_.counts()); }
-
- private:
-  bool same(const Crossing& a, const Crossing& b) const { return same_but_for_t(a, b) && times_ * a.t == b.t; }
-
-  bool same_face(const Crossing& a, const Crossing& b, Passage passage) {
-    return !a.surface.valid() || same_attribution(plain_.attribute({a, passage}), large_.attribute({b, passage}));
-  }
-
-  bool same_lists(Span span) {
-    plain_.intervals(list_, span);
-    large_.intervals(large_list_, span);
-    return std::equal(list_.begin(), list_.end(), large_list_.begin(), large_list_.end(),
-                      [this](const Interval& a, const Interval& b) {
-                        return same(a.entry, b.entry) && same(a.exit, b.exit) &&
-                               same_face(a.entry, b.entry, Passage::entry) && same_face(a.exit, b.exit, Passage::exit);
-                      });
-  }
-
-  bool same_first_hit() {
-    const auto a = plain_.first_hit();
-    const auto b = large_.first_hit();
-    if (!a || !b) return a.has_value() == b.has_value();
-    return a->passage == b->passage && same(a->crossing, b->crossing);
-  }
-
-  double factor_;
-  double times_ = 1;
-  Caster plain_;
-  Caster large_;
-  IntervalList list_;
-  IntervalList large_list_;
-};
 
 // The ends of all leaves along a ray.
 class Events {
@@ -200,7 +137,7 @@ TEST_CASE("a scene 2^k times as large gives the same lists, faces and places, ev
       }
       CAPTURE(name, k);
       CHECK(wrong == 0);
-      CHECK(twins.work_alike());
+      CHECK(twins.worked_alike());
     }
   }
 }
