@@ -51,7 +51,7 @@ int run(const Request& request) {
     return 2;
   }
   if (!request.only_list)
-    print_line(fmt::format("{:36} {:>9} {:>10} {:>9} {:>12} {:>6} {:>8}", "family", "rays", "intervals", "flagged",
+    print_line(fmt::format("{:40} {:>9} {:>10} {:>9} {:>12} {:>6} {:>8}", "family", "rays", "intervals", "flagged",
                            "by exact", "wrong", "seconds"));
   std::uint64_t wrong = 0;
   for (const stress::Family* family : families) {
@@ -62,7 +62,7 @@ int run(const Request& request) {
     const auto start = Clock::now();
     const stress::FamilyOutcome outcome = stress::run_family(*family, request.seed, request.rays);
     const verify::Tally& tally = outcome.tally;
-    print_line(fmt::format("{:36} {:9} {:10} {:9} {:12} {:6} {:8.1f}", family->name, tally.rays, tally.intervals,
+    print_line(fmt::format("{:40} {:9} {:10} {:9} {:12} {:6} {:8.1f}", family->name, tally.rays, tally.intervals,
                            tally.flagged, tally.exact_decisions, tally.wrong,
                            std::chrono::duration<double>(Clock::now() - start).count()));
     for (const std::string& difference : outcome.differences) print_line("  " + difference);
@@ -78,7 +78,8 @@ int main(int argc, char** argv) {
   CLI::App program("Compares the engines with exact arithmetic on families of hard rays.", "stress");
   program.add_option("family", request.names, "Families: a name, or a part of some (default: all)");
   program.add_flag("--list", request.only_list, "Only list their names");
-  program.add_option("--seed", request.seed, "The first trial's seed; each trial takes the next")->capture_default_str();
+  program.add_option("--seed", request.seed, "The first trial's seed; each trial takes the next")
+      ->capture_default_str();
   program.add_option("--rays", request.rays, "Rays a family, at least; 1 is one trial")->capture_default_str();
   try {
     program.parse(argc, argv);
