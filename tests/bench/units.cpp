@@ -12,6 +12,7 @@
 #include <ctime>
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -104,14 +105,17 @@ void report_scales(const std::string& name, const Solid& solid) {
   fmt::print("\n");
 }
 
-/// The solid without what is unbounded of it, its longest side 1/100, standing on the plane z = 0.
-Solid small_part(const Solid& solid) {
+/// What is bounded of a solid, its longest side 1/100, standing on the plane z = 0; none if nothing is.
+std::optional<Solid> small_part(const Solid& solid) {
   std::vector<Solid> bounded;
   if (solid.kind() == Solid::Kind::unite) {
     for (const Solid& child : solid.children())
       if (bounds(child).is_finite()) bounded.push_back(child);
+  } else if (bounds(solid).is_finite()) {
+    bounded.push_back(solid);
   }
-  const Solid part = bounded.empty() ? solid : unite(bounded);
+  if (bounded.empty()) return std::nullopt;
+  const Solid part = unite(bounded);
   const Box box = bounds(part);
   const Vector size = box.size();
   // What already stands there to within the rounding of its box stays: its face is exactly in the plane.
@@ -137,11 +141,12 @@ std::vector<Ray> rays_from(Point eye, int count) {
 }
 
 void report_on_ground(const std::string& name, const Solid& solid) {
-  const Solid part = small_part(solid);
+  const std::optional<Solid> part = small_part(solid);
+  if (!part) return;
   const std::array grounds{std::pair{"slab", transformed(box({2e6, 2e6, 1}), translation({-1e6, -1e6, -1}))},
                            std::pair{"half-space", halfspace({0, 0, 1}, 0)}};
   for (const auto& [ground, floor] : grounds) {
-    const Scene scene = compile(part + floor, Welding::derived());
+    const Scene scene = compile(*part + floor, Welding::derived());
     fmt::print("{:12} {:10}", name, ground);
     for (const Point eye : {Point{0.02, -0.03, 0.025}, Point{-0.035, -0.01, 0.004}, Point{0.3, 0.2, 0.05}}) {
       Caster caster(scene);

@@ -90,6 +90,7 @@ class Structure {
 struct Comparison {
   int rays = 0;
   int left_out = 0;  // two of their events are within 1e-12 of the scene
+  int met = 0;       // rays that meet the scene
   int wrong = 0;
 };
 
@@ -107,7 +108,9 @@ Comparison compare(const Scene& scene, const Scene& large, double factor, std::u
       ++result.left_out;
       continue;
     }
-    result.wrong += plain(ray) != of_large(Ray(scaled(ray.origin(), factor), ray.direction()));
+    const auto& expected = plain(ray);
+    result.met += !expected.empty();
+    result.wrong += expected != of_large(Ray(scaled(ray.origin(), factor), ray.direction()));
   }
   return result;
 }
@@ -152,6 +155,7 @@ TEST_CASE("a scene 1/1000, 1,000 and 1,000,000 times as large gives lists of the
         const Comparison result = compare(scene, compile(scaled(solid, factor), welding), factor, 21, rays);
         CAPTURE(name, factor, result.left_out);
         CHECK(result.wrong == 0);
+        CHECK(result.met > rays / 5);
         // Unwelded, faces that coincide but for rounding are two events.
         const double share = welding.mode == Welding::Mode::off ? 0.1 : most_left_out;
         CHECK(result.left_out <= share * rays);
@@ -170,6 +174,7 @@ TEST_CASE("a scene whose leaves were scaled one by one, each with rounding, weld
       const Comparison result = compare(scene, compile(large, Welding::derived()), factor, 22, rays);
       CAPTURE(name, factor, result.left_out);
       CHECK(result.wrong == 0);
+      CHECK(result.met > rays / 5);
       CHECK(result.left_out <= most_left_out * rays);
     }
   }
