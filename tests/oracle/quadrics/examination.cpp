@@ -130,6 +130,8 @@ class Examination {
     const Vector directions[] = {d, -d, length(d) * random_.direction()};
     const Vector direction = directions[random_.index(3)];
     if (!is_finite(start) || !is_finite(direction) || !Ray::in_range(start, direction)) return;
+    // From afar the rounded place is far off the surface, as the scene goes: no departure from it.
+    if (length(ray.origin() - Point{}) > 0x1p10 * length(start - Point{})) return;
     const Ray departing(start, direction);
     const std::size_t surface = end.face->surface;
     const bool given_positive = random_.index(2) == 0;
