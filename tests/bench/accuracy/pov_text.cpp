@@ -41,7 +41,7 @@ std::string leaf(const LeafShape& shape) {
   }
   if (shape.forms.size() == 1) return half_space(shape.forms[0]);
   std::string text = "intersection {";
-  for (const QuadricForm& form : shape.forms) text += " " + half_space(form);
+  for (const QuadricForm& form : shape.forms) text.append(" ").append(half_space(form));
   return text + " }";
 }
 
@@ -59,7 +59,7 @@ std::string matrix(const Transform& m) {
 std::string object(const Solid& solid, std::string_view union_word) {
   const auto children = [&solid](std::string_view word) {
     std::string text = fmt::format("{} {{", word);
-    for (const Solid& child : solid.children()) text += "\n" + object(child, "merge");
+    for (const Solid& child : solid.children()) text.append("\n").append(object(child, "merge"));
     return text + " }";
   };
   switch (solid.kind()) {
