@@ -73,23 +73,28 @@ void append_row(std::string& out, std::string_view name, const std::string& cont
   out += fmt::format("{:<12}{}\n", name, content);
 }
 
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 /// Three digits of a length or share that is only known to a few.
 std::string about(double value) { return fmt::format("{:.3g}", value); }
 
 void append_welding(std::string& out, const WeldReport& report) {
   std::string text = "nothing";
   if (report.surfaces > 0) {
-    text = fmt::format("{} surfaces joined {} others; moved by at most {} (relative {})", report.surfaces,
-                       report.clusters, about(report.widest), about(report.widest / report.size));
+    text = fmt::format("{} joined {}; moved by at most {} (relative {})", counted(report.surfaces, "surface"),
+                       counted(report.clusters, "other"), about(report.widest), about(report.widest / report.size));
   }
   append_row(out, "welded", text + (report.incomplete ? "; cut short: very many surfaces nearly coincide" : ""));
   if (report.near_miss_count == 0) return;
-  append_row(out, "near misses", fmt::format("{} pairs of surfaces nearly coincide; --weld {} joins the nearest",
-                                             report.near_miss_count, about(report.suggested_tolerance)));
+  append_row(out, "near misses",
+             fmt::format("{} of surfaces, not one but near; --weld {} joins the nearest",
+                         counted(report.near_miss_count, "pair"), about(report.suggested_tolerance)));
   for (const NearMiss& miss : report.near_misses) {
-    append_row(out, "", fmt::format("{}:{} and {}:{}  gap {} (relative {})", miss.first.line, miss.first.column,
-                                    miss.second.line, miss.second.column, about(miss.gap),
-                                    about(miss.gap / report.size)));
+    append_row(out, "",
+               fmt::format("{}:{} and {}:{}  gap {} (relative {})", miss.first.line, miss.first.column,
+                           miss.second.line, miss.second.column, about(miss.gap), about(miss.gap / report.size)));
   }
 }
 
@@ -147,7 +152,7 @@ void json_parts(Json& json, const Info& info) {
 void json_welding(Json& json, const WeldReport& report) {
   json.key("welded").begin_object().member("surfaces", std::uint64_t(report.surfaces));
   json.member("clusters", std::uint64_t(report.clusters)).member("widest", report.widest);
-  json.member("size", report.size).member("incomplete", report.incomplete);
+  json.member("incomplete", report.incomplete);
   json.member("near_miss_count", std::uint64_t(report.near_miss_count));
   json.member("suggested_tolerance", report.suggested_tolerance).key("near_misses").begin_array();
   for (const NearMiss& miss : report.near_misses) {

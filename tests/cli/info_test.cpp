@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "tests/cli/program.h"
 #include "tests/support/catch.h"
 
@@ -31,6 +33,7 @@ statements  10: camera 1, color 1, cube 1, cylinder 1, difference 1, light 1, mu
 depth       3
 leaves      3: cube 1, cylinder 1, sphere 1
 surfaces    8: planes 6, quadrics 2; shared by several leaves 2
+welded      nothing
 tree        5 nodes after simplification, leaves included
 parts       1
             body at 3:1  density 2.5  leaves 2
@@ -60,6 +63,15 @@ TEST_CASE("info as JSON") {
   "leaves": 1,
   "leaves_by_kind": {"halfspace": 1},
   "surfaces": {"planes": 1, "quadrics": 0, "shared": 0},
+  "welded": {
+    "surfaces": 0,
+    "clusters": 0,
+    "widest": 0,
+    "incomplete": false,
+    "near_miss_count": 0,
+    "suggested_tolerance": 0,
+    "near_misses": []
+  },
   "nodes": 1,
   "parts": [
     {"name": "a\\\u000a\"b", "density": 1, "place": "1:1", "leaves": 1}
@@ -97,6 +109,48 @@ TEST_CASE("the option --facets decides which curved solids become polyhedra") {
   CHECK(surfaces("never") == "planes 2, quadrics 2");
   CHECK(surfaces("auto") == "planes 8, quadrics 1");
   CHECK(surfaces("always") == "planes 28, quadrics 0");
+}
+
+TEST_CASE("the option --weld decides which faces become one, and info tells") {
+  const TemporaryFolder folder;
+  // A brick that stands on 0.1 + 0.2, as 0.3, and one a millionth beside it.
+  folder.write("scene.csg",
+               "cube([1, 1, 0.30000000000000004]);\ntranslate([0, 0, 0.3]) { cube(1); }\n"
+               "translate([1.000001, 0, 0.3]) { cube(1); }");
+  const auto rows = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"info", "scene.csg"});
+    const std::string out = run(folder, more).out;
+    return out.substr(out.find("surfaces"), out.find("tree") - out.find("surfaces"));
+  };
+  CHECK(rows({}) == R"(surfaces    9: planes 9, quadrics 0; shared by several leaves 6
+welded      1 surface joined 1 other; moved by at most 5.55e-17 (relative 2.15e-17)
+near misses 1 pair of surfaces, not one but near; --weld 4.83e-07 joins the nearest
+            2:26 and 3:33  gap 1e-06 (relative 3.87e-07)
+)");
+  CHECK(rows({"--weld", "0"}) == R"(surfaces    10: planes 10, quadrics 0; shared by several leaves 6
+welded      nothing
+)");
+  CHECK(rows({"--weld", "4.83e-07"}) == R"(surfaces    8: planes 8, quadrics 0; shared by several leaves 6
+welded      2 surfaces joined 2 others; moved by at most 1e-06 (relative 3.87e-07)
+)");
+  for (const char* wrong : {"-1", "0.5", "nan", "inf", "x", ""}) {
+    CAPTURE(wrong);
+    const Outcome outcome = run(folder, {"info", "scene.csg", "--weld", wrong});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("--weld") != std::string::npos);
+  }
+}
+
+TEST_CASE("a crack of 1e-16 shows as two intervals unless it is welded") {
+  const TemporaryFolder folder;
+  folder.write("scene.csg", "cube([1, 1, 0.3]);\ntranslate([0, 0, 0.30000000000000004]) { cube(1); }");
+  const auto rows = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"intervals", "scene.csg", "--ray", "0.5,0.5,-1,0,0,1", "--format", "csv"});
+    const std::string out = run(folder, more).out;
+    return std::count(out.begin(), out.end(), '\n') - 1;
+  };
+  CHECK(rows({}) == 1);
+  CHECK(rows({"--weld", "0"}) == 2);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST_CASE("the option --help lists the commands, and each command's help shows a
     const Outcome own = run(folder, {name, "--help"});
     CHECK(own.exit_code == 0);
     CHECK(contains(own.out, std::string("Example:\n  csgcast ") + name + " "));
-    for (const char* option : {"--threads", "--facets", "--quiet"}) CHECK(contains(own.out, option));
+    for (const char* option : {"--threads", "--facets", "--weld", "--quiet"}) CHECK(contains(own.out, option));
   }
 }
 
