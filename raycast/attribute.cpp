@@ -8,9 +8,9 @@ namespace csgcast {
 namespace {
 
 // Out of the solid: towards the side of the surface that the ray is on where it is outside.
-Normal outward_normal(const Surface& surface, const Frame& frame, const Ray& ray, const Hit& hit,
+Normal outward_normal(const Surface& surface, const Frame& frame, Point place, const Ray& ray, const Hit& hit,
                       bool outside_is_positive) {
-  const Vector slope = normalised(gradient(surface, frame, ray.at(hit.crossing.t)));
+  const Vector slope = normalised(gradient(surface, frame, place));
   // At an apex every direction is square to the surface; the ray's own is the one that is seen.
   if (slope == Vector{}) {
     const Vector d = normalised(ray.direction());
@@ -40,8 +40,9 @@ Attribution Caster::attribute(NodeId node, const Hit& hit) {
   result.part = leaf.part;
   result.look = leaf.look;
   result.front = positive_before ? Sense::positive : Sense::negative;
-  result.normal =
-      outward_normal(scene.surface(hit.crossing.surface), scene.frame(), state.cache.ray(), hit, outside_is_positive);
+  result.point = state.cache.point(hit.crossing);
+  result.normal = outward_normal(scene.surface(hit.crossing.surface), scene.frame(), result.point, state.cache.ray(),
+                                 hit, outside_is_positive);
   if (leaf.shows_cut) {
     const LeafId holder = state.neighbourhood.holding_leaf(hit.passage);
     result.look = holder.valid() ? scene.leaf(holder).look : scene.region(leaf.region).look;

@@ -46,9 +46,12 @@ struct Attribution {
   RegionId region;  ///< the region that the leaf belongs to
   PartId part;      ///< not valid outside every named part
   LookId look;      ///< what to shade the face with
-  Normal normal;    ///< unit, out of the solid
-  Sense front;  ///< the side of the crossing's surface on which the ray comes; the solid's boundary is left behind on
-                ///< the other
+  /// The place, in double: off by at most 2^-51 of the scene's size (Scene::frame) and 2^-52 of its coordinates, beside
+  /// what its crossing is off. Nearer than o + t d for a ray from far away.
+  Point point;
+  Normal normal;  ///< unit, out of the solid
+  Sense front;    ///< the side of the crossing's surface on which the ray comes; the solid's boundary is left behind on
+                  ///< the other
 };
 
 enum class Location : std::uint8_t { inside, outside, boundary };

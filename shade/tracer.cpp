@@ -76,8 +76,7 @@ void Tracer::run(const Task& arriving) {
 
   const Vector d = task.ray.direction();
   const Vector out = as_vector(boundary->face.normal);
-  const Spot spot{*boundary, scene_.look(boundary->face.look), task.ray.at(boundary->t), dot(out, d) > 0 ? -out : out,
-                  -d};
+  const Spot spot{*boundary, scene_.look(boundary->face.look), boundary->face.point, dot(out, d) > 0 ? -out : out, -d};
   std::size_t record = 0;
   if (tree_ != nullptr) {
     record = tree_->size();

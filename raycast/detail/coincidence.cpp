@@ -42,8 +42,8 @@ double plane_gap(const RegionForm& f, const RegionForm& g, const Region& region,
   double most = std::fabs(difference(f, g, Form::one, m).high);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double c = region.center[axis];
-    const double reach = std::ldexp(std::fmax(std::fabs(box.lower[axis] - c), std::fabs(box.upper[axis] - c)),
-                                    -region.exponent);
+    const double reach =
+        std::ldexp(std::fmax(std::fabs(box.lower[axis] - c), std::fabs(box.upper[axis] - c)), -region.exponent);
     const double slope = std::fabs(difference(f, g, Form::x + axis, m).high);
     if (slope > 0) most += slope * reach;
   }

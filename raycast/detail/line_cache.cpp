@@ -33,6 +33,18 @@ Crossing LineCache::reported(const Crossing& crossing) {
   return {predicates_.reported_t(line_, view(crossing), exact_calls_), crossing.surface, crossing.root};
 }
 
+Point LineCache::point(const Crossing& crossing) {
+  const LineFrame& line = line_.in_frame;
+  const double tau = found(crossing.surface).tau[crossing.root];
+  const Frame& frame = scene_.frame();
+  Point p;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double q = line.near[axis] + (line.near_low[axis] + tau * line.direction[axis]);
+    p[axis] = frame.center[axis] + std::ldexp(q, frame.exponent);
+  }
+  return p;
+}
+
 std::weak_ordering LineCache::order(const Crossing& a, const Crossing& b) {
   if (!a.surface.valid() && !b.surface.valid()) {
     return a.t < b.t   ? std::weak_ordering::less

@@ -27,7 +27,9 @@ class LineCache {
   /// was made.
   std::uint64_t surface_tests() const { return surface_tests_; }
   const ExactCalls& exact_calls() const { return exact_calls_; }
-  std::uint64_t rays_flagged() const { return rays_flagged_ + (exact_calls_.beyond_double() != calls_at_begin_ ? 1 : 0); }
+  std::uint64_t rays_flagged() const {
+    return rays_flagged_ + (exact_calls_.beyond_double() != calls_at_begin_ ? 1 : 0);
+  }
 
   const LineCrossings& found(SurfaceId id);
   Crossing crossing(SurfaceId id, std::uint8_t root) {
@@ -35,6 +37,8 @@ class LineCache {
   }
   /// The crossing with the t to report.
   Crossing reported(const Crossing& crossing);
+  /// Its place in the world, rounded. Precondition: a surface makes it.
+  Point point(const Crossing& crossing);
   /// Numbers that no exact t of a crossing is below, or above; of an infinite end, itself. For culling.
   double earliest(const Crossing& crossing) {
     if (!crossing.surface.valid()) return crossing.t;

@@ -65,9 +65,8 @@ std::vector<std::vector<std::uint32_t>> NearPairs::groups() {
     entries.push_back({middle - reach, middle + reach, i});
     if (middle <= reach) entries.push_back({-middle - reach, -middle + reach, i});  // the sign is open
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.low != b.low ? a.low < b.low : a.surface < b.surface;
-  });
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& a, const Entry& b) { return a.low != b.low ? a.low < b.low : a.surface < b.surface; });
   std::vector<std::uint32_t> parent(ranges_.size());
   std::iota(parent.begin(), parent.end(), 0u);
   double reached = -1;

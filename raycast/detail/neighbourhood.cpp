@@ -2,6 +2,7 @@
 #include "raycast/detail/neighbourhood.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -13,16 +14,24 @@ Neighbourhood::Neighbourhood(const Scene& scene, LineCache& cache) : scene_(scen
 
 void Neighbourhood::move_to(NodeId node, const Crossing& crossing) {
   crossing_ = crossing;
-  const Span at{cache_.earliest(crossing), cache_.latest(crossing)};
+  look_around(node, {cache_.earliest(crossing), cache_.latest(crossing)});
+  // The surface that a ray departs from passes through the start by definition, so nearly along it a crossing may come
+  // out beyond the box of its leaf. Then boxes tell nothing.
+  if (group_.empty()) look_around(node, Span::line());
+}
+
+// The leaves whose boxes the ray meets within the span; all of them if it is the whole line.
+void Neighbourhood::look_around(NodeId node, Span at) {
+  const bool everywhere = std::isinf(at.from) && std::isinf(at.to);
   tree_.build(scene_, node, [&](const Box& box) {
     Span span = at;
-    return may_meet(box, cache_.ray(), span);
+    return everywhere || may_meet(box, cache_.ray(), span);
   });
   positions_.clear();
   leaf_start_.clear();
   bases_.clear();
   chosen_ = not_in_group;
-  for (std::uint32_t slot = 0; slot < tree_.leaves().size(); ++slot) add_leaf(slot, tree_.leaves()[slot], crossing);
+  for (std::uint32_t slot = 0; slot < tree_.leaves().size(); ++slot) add_leaf(slot, tree_.leaves()[slot], crossing_);
   leaf_start_.push_back(static_cast<std::uint32_t>(positions_.size()));
   gather_group();
 }

@@ -48,6 +48,7 @@ class Neighbourhood {
     std::uint32_t flipped_groups;  // those with a lower index are flipped
   };
 
+  void look_around(NodeId node, Span at);
   void add_leaf(std::uint32_t slot, LeafId leaf, const Crossing& crossing);
   void gather_group();
   std::span<const std::uint32_t> positions_of(std::uint32_t group) const {

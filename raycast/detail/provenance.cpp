@@ -62,8 +62,7 @@ std::size_t largest(const FormError& form) {
 Provenance::Provenance() : links_(1) {}
 
 Provenance::ChainId Provenance::chain(ChainId outer, const Transform& transform, const ExactAffine& world_from_solid) {
-  const auto [it, is_new] =
-      known_.try_emplace({outer, transform.entry}, static_cast<ChainId>(links_.size()));
+  const auto [it, is_new] = known_.try_emplace({outer, transform.entry}, static_cast<ChainId>(links_.size()));
   if (!is_new) return it->second;
   Link link;
   link.outer = outer;
@@ -76,7 +75,8 @@ Provenance::ChainId Provenance::chain(ChainId outer, const Transform& transform,
     link.offset[row] = world_from_solid.offset(row).nearest();
     for (std::size_t column = 0; column < 3; ++column) {
       link.linear[3 * row + column] = world_from_solid.linear(row, column).nearest();
-      link.inverse[3 * row + column] = world_from_solid.adjugate(row, column).scaled(-scale).nearest() / scaled_determinant;
+      link.inverse[3 * row + column] =
+          world_from_solid.adjugate(row, column).scaled(-scale).nearest() / scaled_determinant;
     }
   }
   links_.push_back(link);

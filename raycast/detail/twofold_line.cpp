@@ -34,9 +34,7 @@ double longest(const Vector2& q) {
   return std::fmax(std::fabs(q[0].high), std::fmax(std::fabs(q[1].high), std::fabs(q[2].high)));
 }
 
-Twofold coefficient(const Surface& surface, std::size_t term) {
-  return {surface.local[term], surface.local_low[term]};
-}
+Twofold coefficient(const Surface& surface, std::size_t term) { return {surface.local[term], surface.local_low[term]}; }
 
 Vector2 times_matrix(const Surface& surface, const Vector2& v) {
   const auto entry = [&](Form::Term term, double factor, Twofold x) {
@@ -67,8 +65,7 @@ double longest(Vector v) { return std::fmax(std::fabs(v.x), std::fmax(std::fabs(
 Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
   const Vector d = line.direction;
   const Vector2 start = start_of(line, surface);
-  const double origin =
-      -(start[0].high * d.x + start[1].high * d.y + start[2].high * d.z) * line.inverse_squared;
+  const double origin = -(start[0].high * d.x + start[1].high * d.y + start[2].high * d.z) * line.inverse_squared;
   Vector2 q;
   for (std::size_t axis = 0; axis < 3; ++axis) q[axis] = start[axis] + two_product(origin, d[axis]);
   const Vector2 along{Twofold{d.x, 0}, Twofold{d.y, 0}, Twofold{d.z, 0}};

@@ -13,7 +13,7 @@ Sight look_along(Caster& caster, const Ray& ray) {
   const Vector out = as_vector(face.normal);
   const double along = dot(out, ray.direction());
   const double t = hit->crossing.t;
-  return {t,         ray.at(t), along > 0 ? -out : out, std::fabs(along), hit->crossing.surface, face.leaf,
+  return {t,         face.point, along > 0 ? -out : out, std::fabs(along), hit->crossing.surface, face.leaf,
           face.part, face.look};
 }
 

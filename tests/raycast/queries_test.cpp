@@ -279,3 +279,33 @@ TEST_CASE("a ray that leads out of the face it departs from is outside, whatever
     CHECK(list_of({0, 1, 1}, Sense::negative).size() == 1);
   }
 }
+
+TEST_CASE("a departure nearly along a generator has a face where its list ends beyond the leaf's box") {
+  const Solid cone = quadric({1, 1, -1, 0, 0, 0}, {}, 0) & box({6, 6, 6}, Centering::centered);
+  const Scene scene = compile(cone - box({0.5, 0.5, 9}));
+  Caster caster(scene);
+  const Ray ray({0x1.2e5e930da6d13p-4, 0x1.a0afa142c87c3p-2, -0x1.cac4a9e4b9c47p-1},
+                {0x1.0459988403068p-7, -0x1.54336b7095792p+0, 0x1.ef470bdc959f5p-2});
+  for (const Sense side : {Sense::negative, Sense::positive}) {
+    caster.begin(ray, Departure{SurfaceId(0), side});
+    IntervalList list;
+    caster.intervals(list);
+    for (const Interval& interval : list) {
+      if (interval.entry.surface.valid()) CHECK(caster.attribute({interval.entry, Passage::entry}).leaf.valid());
+      if (interval.exit.surface.valid()) CHECK(caster.attribute({interval.exit, Passage::exit}).leaf.valid());
+    }
+  }
+}
+
+TEST_CASE("a hit point lies on its surface however far away the ray starts") {
+  const Scene scene = compile(at(sphere(1), {3, 4, 5}));
+  Caster caster(scene);
+  for (const double distance : {1.0, 1e6, 1e12}) {
+    const Vector d = normalised({0.3, -0.5, 0.81});
+    caster.begin(Ray(Point{3, 4, 5} - distance * d, d));
+    const std::optional<Hit> hit = caster.first_hit(Span::line());
+    REQUIRE(hit);
+    const Point p = caster.attribute(*hit).point;
+    CHECK(std::fabs(length(p - Point{3, 4, 5}) - 1) < 1e-15 * 8);
+  }
+}
