@@ -38,7 +38,7 @@ double rate(const Scene& scene, const std::vector<Ray>& rays, const Query& query
 }
 
 void report(const std::string& file) {
-  const Scene scene = compile(text::build(text::read_file(file)).solid);
+  const Scene scene = compile(text::build(text::read_file(file)).solid, Welding::derived());
   const std::vector<Ray> rays =
       bench::rays_across(scene.bounded_leaves(), normalised({-0.61, 0.37, -0.29}), rays_per_side);
   IntervalList list;
