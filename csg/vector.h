@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -49,6 +50,12 @@ constexpr Vector cross(Vector a, Vector b) {
 template <class Tag>
 double length(Triple<Tag> a) {
   return std::hypot(a.x, a.y, a.z);
+}
+
+/// The magnitude of the longest coordinate. Precondition: none is NaN.
+template <class Tag>
+double longest(Triple<Tag> a) {
+  return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
 }
 
 template <class Tag>

@@ -6,11 +6,7 @@
 #include "csg/error.h"
 
 namespace csgcast {
-namespace {
-
-double longest(Vector v) { return std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z))); }
-
-}  // namespace
+namespace {}  // namespace
 
 bool Ray::in_range(Point origin, Vector direction) {
   const double length = longest(direction);

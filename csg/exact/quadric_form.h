@@ -15,6 +15,12 @@ namespace csgcast {
 struct QuadricForm {
   enum Term : std::size_t { xx, yy, zz, xy, xz, yz, x, y, z, one, term_count };
 
+  /// The second-degree term of two axes.
+  static constexpr Term second_degree(std::size_t k, std::size_t l) {
+    if (k == l) return static_cast<Term>(xx + k);
+    return k + l == 1 ? xy : k + l == 2 ? xz : yz;
+  }
+
   std::array<Dyadic, term_count> coefficient;
 
   static QuadricForm plane(const Dyadic& nx, const Dyadic& ny, const Dyadic& nz, const Dyadic& offset);

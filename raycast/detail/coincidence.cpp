@@ -15,15 +15,9 @@ constexpr double most_error = 0x1p-20;
 // Of f_i g_m - g_i f_m in twofold numbers: each is off by a relative 2^-104, products and difference by a few more.
 constexpr double rounding = 0x1p-100;
 
-// The index of the second-degree term of two axes.
-constexpr std::size_t term_of(std::size_t k, std::size_t l) {
-  if (k == l) return Form::xx + k;
-  return k + l == 1 ? Form::xy : k + l == 2 ? Form::xz : Form::yz;
-}
-
 // The magnitude of an entry of the matrix of second derivatives.
 double bend(const RegionForm& form, std::size_t k, std::size_t l) {
-  return std::fabs(form.coefficient[term_of(k, l)].high) * (k == l ? 2 : 1);
+  return std::fabs(form.coefficient[Form::second_degree(k, l)].high) * (k == l ? 2 : 1);
 }
 
 std::size_t largest(const RegionForm& f) {
@@ -79,7 +73,8 @@ FormError error_of(const RegionForm& form, const SmallMotion& motion) {
     error[Form::one] += steepness * offset;
     for (std::size_t l = 0; l < 3; ++l) {
       error[Form::x + l] += steepness * motion.slope[3 * k + l] + bend(form, k, l) * offset;
-      for (std::size_t m = 0; m < 3; ++m) error[term_of(l, m)] += bend(form, k, l) * motion.slope[3 * k + m];
+      for (std::size_t m = 0; m < 3; ++m)
+        error[Form::second_degree(l, m)] += bend(form, k, l) * motion.slope[3 * k + m];
     }
   }
   return error;

@@ -19,8 +19,6 @@ constexpr double rounding_of_bounds = 1 + 0x1p-40;
 // >= 1.
 constexpr double reach = 4;
 
-double longest(Vector v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
 struct Bounded {
   double value;
   double error;

@@ -17,8 +17,6 @@ constexpr double u = 0x1p-53;
 
 using Point2 = std::array<Twofold, 3>;
 
-double longest(Vector v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
 // The point at tau, from the surface's center.
 Point2 point_at(const LineFrame& line, const Surface& surface, double tau) {
   Point2 q;

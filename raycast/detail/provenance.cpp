@@ -14,15 +14,10 @@ constexpr double u = 0x1p-53;
 // A linear function of s, the constant last.
 using LinearForm = std::array<double, 4>;
 
-constexpr std::size_t term_of(std::size_t k, std::size_t l) {
-  if (k == l) return Form::xx + k;
-  return k + l == 1 ? Form::xy : k + l == 2 ? Form::xz : Form::yz;
-}
-
 void add_product(FormError& sum, double factor, const LinearForm& a, const LinearForm& b) {
   if (factor == 0) return;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) sum[term_of(i, j)] += factor * a[i] * b[j];
+    for (std::size_t j = 0; j < 3; ++j) sum[Form::second_degree(i, j)] += factor * a[i] * b[j];
     sum[Form::x + i] += factor * (a[i] * b[3] + a[3] * b[i]);
   }
   sum[Form::one] += factor * a[3] * b[3];
@@ -33,7 +28,7 @@ FormError substituted(const FormError& c, const std::array<LinearForm, 3>& q) {
   static constexpr LinearForm constant{0, 0, 0, 1};
   FormError sum{};
   for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t l = k; l < 3; ++l) add_product(sum, c[term_of(k, l)], q[k], q[l]);
+    for (std::size_t l = k; l < 3; ++l) add_product(sum, c[Form::second_degree(k, l)], q[k], q[l]);
     add_product(sum, c[Form::x + k], q[k], constant);
   }
   sum[Form::one] += c[Form::one];

@@ -60,8 +60,6 @@ Vector2 start_of(const LineFrame& line, const Surface& surface) {
   return start;
 }
 
-double longest(Vector v) { return std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z))); }
-
 Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
   const Vector d = line.direction;
   const Vector2 start = start_of(line, surface);
