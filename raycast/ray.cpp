@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/ray.h"
 
-#include <cmath>
-
 #include "csg/error.h"
 
 namespace csgcast {
-namespace {}  // namespace
-
 bool Ray::in_range(Point origin, Vector direction) {
   const double length = longest(direction);
   return longest(as_vector(origin)) <= greatest && length <= greatest && length >= least_direction;
