@@ -15,7 +15,7 @@ struct Welding {
   enum class Mode : unsigned char {
     off,      ///< surfaces are the same only if they are equal
     derived,  ///< also if they are equal but for rounding: of each number given, by half an ulp, and of the transforms
-    by_hand,  ///< also if they are at most `tolerance` times the size of the scene apart over the leaves that own them
+    by_hand,  ///< those at most `tolerance` times the size of the scene apart over the leaves that own them
   };
   Mode mode = Mode::off;
   double tolerance = 0;            ///< of by_hand: above 0, and at most `greatest_tolerance`
@@ -29,9 +29,9 @@ struct Welding {
 
 /// Two surfaces of leaves that touch or overlap, nearly the same but not welded.
 struct NearMiss {
-  Place first;   ///< the statements that made them
+  Place first;  ///< the statements that made them
   Place second;
-  double gap;    ///< how far they are apart at most over these leaves, in the scene's unit of length
+  double gap;  ///< how far they are apart at most over these leaves, in the scene's unit of length
 };
 
 /// What welding did.
@@ -41,10 +41,10 @@ struct WeldReport {
   double widest = 0;         ///< how far one of them moved at most over its leaf, in the scene's unit of length
   /// True if the work was cut short: some surfaces that nearly coincide with very many others were left as they are.
   bool incomplete = false;
-  double size = 0;                     ///< of the scene: what tolerances are relative to
-  std::size_t near_miss_count = 0;     ///< pairs of surfaces, if asked for
-  std::vector<NearMiss> near_misses;   ///< the nearest of each pair of statements, nearest first; `most_near_misses`
-  double suggested_tolerance = 0;      ///< would weld the near misses up to the first wide jump of their gaps; 0: none
+  double size = 0;                    ///< of the scene: what tolerances are relative to; without one none welds by hand
+  std::size_t near_miss_count = 0;    ///< pairs of surfaces, if asked for
+  std::vector<NearMiss> near_misses;  ///< the nearest of each pair of statements, nearest first; `most_near_misses`
+  double suggested_tolerance = 0;     ///< would weld the near misses up to the first wide jump of their gaps; 0: none
 
   static constexpr std::size_t most_near_misses = 10;
 };

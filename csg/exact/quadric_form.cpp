@@ -9,9 +9,6 @@ namespace csgcast {
 namespace {
 
 using Term = QuadricForm::Term;
-// Second-degree term of two axes.
-constexpr std::array<std::array<Term, 3>, 3> second_degree{
-    {{Term::xx, Term::xy, Term::xz}, {Term::xy, Term::yy, Term::yz}, {Term::xz, Term::yz, Term::zz}}};
 constexpr std::array<Term, 3> first_degree{Term::x, Term::y, Term::z};
 
 }  // namespace
@@ -39,7 +36,7 @@ Dyadic QuadricForm::at(const Point& p) const {
   for (std::size_t i = 0; i < 3; ++i) {
     Dyadic slope = coefficient[first_degree[i]];
     for (std::size_t j = i; j < 3; ++j) {
-      const Dyadic& second = coefficient[second_degree[i][j]];
+      const Dyadic& second = coefficient[QuadricForm::second_degree(i, j)];
       if (!second.is_zero()) slope += second * Dyadic(p[j]);
     }
     value += slope * Dyadic(p[i]);
@@ -67,7 +64,7 @@ void FormMover::add_product(QuadricForm& sum, const Dyadic& factor, const Linear
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       if (a[i].is_zero() || b[j].is_zero()) continue;
-      sum.coefficient[second_degree[i][j]] += factor * a[i] * b[j];
+      sum.coefficient[QuadricForm::second_degree(i, j)] += factor * a[i] * b[j];
     }
     sum.coefficient[first_degree[i]] += factor * (a[i] * b[3] + a[3] * b[i]);
   }
@@ -94,7 +91,7 @@ QuadricForm FormMover::moved(const QuadricForm& f) const {
   QuadricForm g;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
-      const Dyadic& c = f.coefficient[second_degree[i][j]];
+      const Dyadic& c = f.coefficient[QuadricForm::second_degree(i, j)];
       if (!c.is_zero()) add_product(g, c, local_[i], local_[j]);
     }
     const Dyadic& c = f.coefficient[first_degree[i]];

@@ -63,6 +63,27 @@ RegionForm::RegionForm(const QuadricForm& form, const Region& region) : is_plane
   for (std::size_t i = 0; i < high.size(); ++i) coefficient[i] = {high[i], low[i]};
 }
 
+RegionForm seen_from(const RegionForm& form, const Region& region, const Region& place) {
+  std::array<Twofold, 3> way;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Twofold difference = two_sum(place.center[k], -region.center[k]);
+    way[k] = {std::ldexp(difference.high, -region.exponent), std::ldexp(difference.low, -region.exponent)};
+  }
+  // f(way + s): the gradient at `way` for the first degree, the value there for the constant.
+  RegionForm moved = form;
+  const auto& c = form.coefficient;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Twofold half_bend{};
+    for (std::size_t l = 0; l < 3; ++l) {
+      const Twofold term = c[Form::second_degree(k, l)] * way[l];
+      half_bend = half_bend + (k == l ? term : term * 0.5);
+    }
+    moved.coefficient[Form::x + k] = c[Form::x + k] + half_bend * 2.0;
+    moved.coefficient[Form::one] = moved.coefficient[Form::one] + (c[Form::x + k] + half_bend) * way[k];
+  }
+  return moved;
+}
+
 FormError error_of(const RegionForm& form, const SmallMotion& motion) {
   // The gradient's component k is at most slope[k] + sum over l of bend(k, l) |s_l|, the motion's offset[k] + sum over
   // m of slope(k, m) |s_m|: their product, term by term.

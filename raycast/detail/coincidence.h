@@ -31,6 +31,10 @@ struct RegionForm {
   RegionForm(const QuadricForm& form, const Region& region);
 };
 
+/// The same surface about another center; both regions must have one exponent. Off by a relative 2^-100 of the
+/// magnitudes in the first region.
+RegionForm seen_from(const RegionForm& form, const Region& region, const Region& place);
+
 /// An unknown small motion of a surface, in a region's coordinates: s -> s + offset + slope s, each entry known by its
 /// greatest magnitude.
 struct SmallMotion {

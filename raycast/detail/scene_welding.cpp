@@ -9,13 +9,17 @@ namespace csgcast {
 
 void SceneCompiler::weld() {
   if (welding_.mode == Welding::Mode::off || surfaces_.size() == 0) return;
-  constexpr Box unit{{-1, -1, -1}, {1, 1, 1}};
   std::vector<detail::Welder::Candidate> candidates;
   candidates.reserve(surfaces_.size());
   for (std::uint32_t i = 0; i < surfaces_.size(); ++i)
     candidates.push_back({&surfaces_.form(SurfaceId(i)), std::move(sources_[i])});
   sources_.clear();
-  detail::Welder welder(provenance_, welding_, scene_.bounded_leaves_.is_finite() ? scene_.bounded_leaves_ : unit);
+  // A solid of half-spaces alone may be bounded, too.
+  Box everything = scene_.bounded_leaves_;
+  if (everything.is_null()) {
+    for (const Body& body : bodies_) everything = hull(everything, scene_.node(body.node).box);
+  }
+  detail::Welder welder(provenance_, welding_, everything);
   const std::vector<detail::Replacement> replacements = welder.run(candidates, scene_.weld_report_);
   if (scene_.weld_report_.surfaces > 0) replace_surfaces(surfaces_.merge(replacements));
 }

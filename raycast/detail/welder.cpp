@@ -3,18 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace csgcast::detail {
 namespace {
 
 // The errors are those of doubles, with errors of their own: a pair at the very border counts.
 constexpr double border = 1 + 0x1p-30;
-// A surface is compared with so many others of its cluster at most, and with so many in all on the average.
+// A surface is compared with so many others of its cluster at most, by so many of its chains of transforms, and with so
+// many in all on the average.
 constexpr std::size_t most_compared = 64;
+constexpr std::size_t most_chains = 16;
 constexpr std::uint64_t most_work_each = 128;
+constexpr std::uint64_t least_work = 100'000;
 // Near misses are at most this share of the scene apart.
 constexpr double greatest_near_miss = 0x1p-13;
+constexpr Box unit{{-1, -1, -1}, {1, 1, 1}};
 
 std::size_t bits_of(const QuadricForm& form) {
   std::size_t bits = 0;
@@ -22,44 +28,22 @@ std::size_t bits_of(const QuadricForm& form) {
   return bits;
 }
 
-bool touch(const Box& a, const Box& b, double slack) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (a.lower[axis] - slack > b.upper[axis] || b.lower[axis] - slack > a.upper[axis]) return false;
-  }
-  return true;
-}
+double total(const FormError& error) { return std::accumulate(error.begin(), error.end(), 0.0); }
 
-// A motion of up to `tolerance` anywhere in a box, half of it for each of two surfaces.
-SmallMotion motion_within(double tolerance, const Box& box, const Region& region) {
-  SmallMotion motion;
-  const double half = std::ldexp(0.5 * tolerance, -region.exponent);
-  for (std::size_t k = 0; k < 3; ++k) {
-    motion.offset[k] = half;
-    for (std::size_t l = 0; l < 3; ++l) {
-      const double reach = std::ldexp(0.5 * (box.upper[l] - box.lower[l]), -region.exponent);
-      motion.slope[3 * k + l] = reach > 0 ? half / reach : 0;
-    }
-  }
-  return motion;
-}
-
-// `motion_within` about the box's own center, seen from the region's: the offset grows by the way between them.
-SmallMotion seen_from(SmallMotion motion, const Box& box, const Region& region) {
-  const Vector way = box.center() - region.center;
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t l = 0; l < 3; ++l)
-      motion.offset[k] += motion.slope[3 * k + l] * std::ldexp(std::fabs(way[l]), -region.exponent);
-  }
-  return motion;
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
 }
 
 }  // namespace
 
+// Without a size any center will do for what rounding explains.
 Welder::Welder(const Provenance& provenance, const Welding& welding, const Box& everything)
     : provenance_(provenance),
       welding_(welding),
-      everything_(everything),
-      tolerance_(welding.tolerance * length(everything.size())) {}
+      everything_(everything.is_finite() ? everything : unit),
+      region_(Region::around(everything_)),
+      tolerance_(everything.is_finite() ? welding.tolerance * length(everything.size()) : 0) {}
 
 // The canonical forms decide, so the order of the file does not matter.
 bool Welder::precedes(std::uint32_t a, std::uint32_t b) const {
@@ -70,77 +54,140 @@ bool Welder::precedes(std::uint32_t a, std::uint32_t b) const {
                                       y.form->coefficient.begin(), y.form->coefficient.end());
 }
 
-Box Welder::box_of(std::uint32_t surface) const {
-  const Box box = intersection(provenance_.box(surfaces_[surface].source), everything_);
-  return box.is_null() ? everything_ : box;
-}
-
-FormError Welder::full_error(Provenance::Source source, const RegionForm& form, const Region& region) const {
-  if (welding_.mode == Welding::Mode::derived) return provenance_.error(source, form, region, 0);
-  Box box = intersection(provenance_.box(source), everything_);
-  if (box.is_null()) box = everything_;
-  return error_of(form, seen_from(motion_within(tolerance_, box, region), box, region));
-}
-
-FormError Welder::error(std::uint32_t surface, const RegionForm& form, const Region& region,
-                        Provenance::ChainId known) const {
-  return provenance_.error(surfaces_[surface].source, form, region, known);
+// Of the sources with one chain of transforms the one known best, and of these the best: if any of them tells two
+// surfaces apart, they are. Returns the error of the one known worst, by which near surfaces are found.
+FormError Welder::keep_best_known(Surface& surface, const Candidate& candidate, const Region& region,
+                                  const RegionForm& form) {
+  std::map<Provenance::ChainId, std::pair<double, Provenance::Source>> best;
+  FormError worst{};
+  double most = -1;
+  for (const Provenance::Source source : candidate.sources) {
+    const FormError error = provenance_.error(source, form, region, 0);
+    const double sum = total(error);
+    if (sum > most || std::isnan(sum)) worst = error;
+    most = std::fmax(most, sum);
+    const auto [it, is_new] = best.try_emplace(provenance_.chain_of(source), sum, source);
+    if (!is_new && sum < it->second.first) it->second = {sum, source};
+  }
+  std::vector<std::pair<double, Provenance::Source>> sorted;
+  for (const auto& [chain, known] : best) sorted.push_back(known);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [sum, source] : sorted) {
+    if (surface.sources.size() == most_chains) break;
+    surface.sources.push_back(source);
+  }
+  return worst;
 }
 
 void Welder::collect(std::span<const Candidate> candidates) {
-  const Region region = Region::around(everything_);
-  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-    const auto& [form, sources] = candidates[i];
-    const RegionForm in_region(*form, region);
-    Surface surface{form, sources.front(), bits_of(*form)};
-    FormError worst{};
-    double most = -1;
-    for (const Provenance::Source source : sources) {
-      const FormError error = full_error(source, in_region, region);
-      const double sum = std::accumulate(error.begin(), error.end(), 0.0);
-      if (!(sum > most)) continue;
-      most = sum;
-      worst = error;
-      surface.source = source;
-    }
-    surfaces_.push_back(surface);
-    if (most >= 0) near_.add(i, in_region, worst);
+  for (const Candidate& candidate : candidates) {
+    Surface surface;
+    surface.form = candidate.form;
+    surface.bits = bits_of(*candidate.form);
+    for (const Provenance::Source source : candidate.sources)
+      surface.box = hull(surface.box, intersection(provenance_.box(source), everything_));
+    if (!surface.box.is_finite()) surface.box = everything_;
+    surfaces_.push_back(std::move(surface));
   }
+}
+
+Welder::Groups Welder::groups_by_rounding(std::span<const Candidate> candidates) {
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    const RegionForm form(*candidates[i].form, region_);
+    near_.add(i, form, keep_best_known(surfaces_[i], candidates[i], region_, form));
+  }
+  return near_.groups();
+}
+
+// Leaves with the surfaces that are left; `one_source` gets a source of each leaf, for its place.
+std::vector<LeafFaces> Welder::faces(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
+                                     std::vector<Provenance::Source>& one_source) const {
+  std::map<std::uint32_t, std::uint32_t> place_of;
+  std::vector<LeafFaces> leaves;
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    for (const Provenance::Source source : candidates[i].sources) {
+      const auto [it, is_new] = place_of.try_emplace(source.leaf, static_cast<std::uint32_t>(leaves.size()));
+      if (is_new) {
+        const Box box = intersection(provenance_.box(source), everything_);
+        leaves.push_back({box.is_finite() ? box : everything_, {}});
+        one_source.push_back(source);
+      }
+      std::vector<std::uint32_t>& surfaces = leaves[it->second].surfaces;
+      const std::uint32_t now = replacements[i].surface;
+      if (std::find(surfaces.begin(), surfaces.end(), now) == surfaces.end()) surfaces.push_back(now);
+    }
+  }
+  return leaves;
+}
+
+Welder::Groups Welder::groups_by_hand(std::span<const Candidate> candidates, WeldReport& report) {
+  if (tolerance_ <= 0) return {};
+  std::vector<RegionForm> forms;
+  std::vector<Replacement> same;
+  std::vector<std::uint32_t> parent(candidates.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    forms.emplace_back(*candidates[i].form, region_);
+    same.push_back({i});
+  }
+  std::vector<Provenance::Source> one_source;
+  const std::vector<LeafFaces> leaves = faces(candidates, same, one_source);
+  NearFaces search(forms, region_, tolerance_);
+  const auto join = [&parent](const NearFaces::Pair& pair) {
+    parent[std::max(root_of(parent, pair.a), root_of(parent, pair.b))] =
+        std::min(root_of(parent, pair.a), root_of(parent, pair.b));
+  };
+  report.incomplete = !search.search(leaves, 16 * most_work_, join);
+  Groups by_root(candidates.size());
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) by_root[root_of(parent, i)].push_back(i);
+  std::erase_if(by_root, [](const auto& group) { return group.size() < 2; });
+  return by_root;
 }
 
 // In errors, or in tolerances: at most 1 for one surface.
 double Welder::distance(const Member& a, const Member& b, const Region& region) {
   ++work_;
-  if (welding_.mode == Welding::Mode::by_hand)
-    return gap(a.form, b.form, region, hull(box_of(a.surface), box_of(b.surface))) / tolerance_;
-  const Provenance::ChainId known = provenance_.common(provenance_.chain_of(surfaces_[a.surface].source),
-                                                       provenance_.chain_of(surfaces_[b.surface].source), work_);
-  return distance_in_errors(a.form, error(a.surface, a.form, region, known), b.form,
-                            error(b.surface, b.form, region, known));
+  const Surface& f = surfaces_[a.surface];
+  const Surface& g = surfaces_[b.surface];
+  if (welding_.mode == Welding::Mode::by_hand) return gap(a.form, b.form, region, hull(f.box, g.box)) / tolerance_;
+  double most = 0;
+  for (const Provenance::Source from : f.sources) {
+    for (const Provenance::Source to : g.sources) {
+      const Provenance::ChainId known = provenance_.common(provenance_.chain_of(from), provenance_.chain_of(to), work_);
+      most = std::fmax(most, distance_in_errors(a.form, provenance_.error(from, a.form, region, known), b.form,
+                                                provenance_.error(to, b.form, region, known)));
+      if (most > border) return most;
+    }
+  }
+  return most;
 }
 
 std::vector<Replacement> Welder::run(std::span<const Candidate> candidates, WeldReport& report) {
   report.size = length(everything_.size());
-  most_work_ = most_work_each * candidates.size() + 100'000;
+  most_work_ = most_work_each * candidates.size() + least_work;
   collect(candidates);
   std::vector<Replacement> replacements;
   for (std::uint32_t i = 0; i < candidates.size(); ++i) replacements.push_back({i});
-  for (std::vector<std::uint32_t>& group : near_.groups()) weld_group(std::move(group), replacements, report);
+  const bool by_hand = welding_.mode == Welding::Mode::by_hand;
+  for (std::vector<std::uint32_t>& group :
+       by_hand ? groups_by_hand(candidates, report) : groups_by_rounding(candidates))
+    weld_group(std::move(group), replacements, report);
   if (welding_.lists_near_misses) list_near_misses(candidates, replacements, report);
   return replacements;
 }
 
 void Welder::weld_group(std::vector<std::uint32_t> group, std::vector<Replacement>& replacements, WeldReport& report) {
   std::sort(group.begin(), group.end(), [this](std::uint32_t a, std::uint32_t b) { return precedes(a, b); });
+  const bool by_rounding = welding_.mode == Welding::Mode::derived;
   std::vector<bool> is_done(group.size());
   for (std::size_t i = 0; i < group.size(); ++i) {
     if (is_done[i]) continue;
-    const Region region = Region::around(box_of(group[i]));
+    const Region region = Region::around(surfaces_[group[i]].box);
     const Member leader{group[i], RegionForm(*surfaces_[group[i]].form, region), 0};
     std::vector<Member> members;
     for (std::size_t j = i + 1; j < group.size(); ++j) {
       work_ += j % 64 == 0 ? 1 : 0;
-      if (is_done[j] || !near_.overlap(group[i], group[j])) continue;
+      if (is_done[j] || (by_rounding && !near_.overlap(group[i], group[j]))) continue;
       if (work_ > most_work_) {
         report.incomplete = true;
         return;
@@ -169,52 +216,32 @@ void Welder::gather(const Member& leader, const Region& region, std::vector<Memb
     if (!fits) continue;
     taken.push_back(&member);
     replacements[member.surface] = {leader.surface, is_flipped(leader.form, member.form)};
-    const double moved = gap(leader.form, member.form, region, box_of(member.surface));
+    const double moved = gap(leader.form, member.form, region, surfaces_[member.surface].box);
     report.widest = std::fmax(report.widest, moved);
   }
   report.surfaces += taken.size();
   report.clusters += taken.empty() ? 0 : 1;
 }
 
-// The nearest that two surfaces come over leaves of theirs that touch; none if that is above `most`.
-std::optional<NearMiss> Welder::near_miss(const Candidate& a, const Candidate& b, double most) {
-  std::optional<NearMiss> nearest;
-  for (const Provenance::Source from : a.sources) {
-    const Box& box = provenance_.box(from);
-    for (const Provenance::Source to : b.sources) {
-      if (++work_ > most_work_) return nearest;
-      if (from.leaf == to.leaf || !touch(box, provenance_.box(to), most)) continue;
-      const Box both = intersection(hull(box, provenance_.box(to)), everything_);
-      if (!both.is_finite()) continue;
-      const Region region = Region::around(both);
-      const double apart = gap(RegionForm(*a.form, region), RegionForm(*b.form, region), region, both);
-      if (apart <= (nearest ? nearest->gap : most)) nearest = {provenance_.place(from), provenance_.place(to), apart};
-    }
-  }
-  return nearest;
-}
-
 void Welder::list_near_misses(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
                               WeldReport& report) {
-  const double most = greatest_near_miss * report.size;
-  const Region frame = Region::around(everything_);
-  NearPairs near;
-  for (std::uint32_t i = 0; i < surfaces_.size(); ++i) {
-    if (replacements[i].surface != i) continue;
-    const RegionForm form(*surfaces_[i].form, frame);
-    near.add(i, form, error_of(form, seen_from(motion_within(most, box_of(i), frame), box_of(i), frame)));
-  }
+  std::vector<RegionForm> forms;
+  for (const Candidate& candidate : candidates) forms.emplace_back(*candidate.form, region_);
+  std::vector<Provenance::Source> one_source;
+  const std::vector<LeafFaces> leaves = faces(candidates, replacements, one_source);
+  // The faces of one leaf are no miss: it was made like that.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, NearMiss> nearest;
+  const auto note = [&](const NearFaces::Pair& pair) {
+    if (pair.leaf_of_a == pair.leaf_of_b) return;
+    const NearMiss miss{provenance_.place(one_source[pair.leaf_of_a]), provenance_.place(one_source[pair.leaf_of_b]),
+                        pair.gap};
+    const auto [it, is_new] = nearest.try_emplace({pair.a, pair.b}, miss);
+    if (!is_new && miss.gap < it->second.gap) it->second = miss;
+  };
+  NearFaces search(forms, region_, greatest_near_miss * report.size);
+  search.search(leaves, 16 * most_work_, note);
   std::vector<NearMiss> found;
-  work_ = 0;
-  for (const std::vector<std::uint32_t>& group : near.groups()) {
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      for (std::size_t j = i + 1; j < group.size() && work_ <= most_work_; ++j) {
-        work_ += j % 64 == 0 ? 1 : 0;
-        if (!near.overlap(group[i], group[j])) continue;
-        if (const auto miss = near_miss(candidates[group[i]], candidates[group[j]], most)) found.push_back(*miss);
-      }
-    }
-  }
+  for (const auto& [surfaces, miss] : nearest) found.push_back(miss);
   std::stable_sort(found.begin(), found.end(), [](const NearMiss& a, const NearMiss& b) { return a.gap < b.gap; });
   report.near_miss_count = found.size();
   // The first wide jump ends the run of gaps that look like one kind of rounding.

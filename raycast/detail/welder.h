@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "raycast/detail/near_faces.h"
 #include "raycast/detail/near_pairs.h"
 #include "raycast/detail/provenance.h"
 #include "raycast/hit.h"
@@ -30,7 +30,7 @@ class Welder {
     std::vector<Provenance::Source> sources;
   };
 
-  /// `everything` holds all bounded leaves, and is finite.
+  /// `everything` holds all bounded leaves; null if the scene has no size.
   Welder(const Provenance& provenance, const Welding& welding, const Box& everything);
 
   /// One replacement a surface; adds to the report.
@@ -38,9 +38,10 @@ class Welder {
 
  private:
   struct Surface {
-    const QuadricForm* form;
-    Provenance::Source source;  // of those that own it the one known worst
-    std::size_t bits;
+    const QuadricForm* form = nullptr;
+    std::vector<Provenance::Source> sources;  // one for each chain of transforms, those known best
+    Box box;                                  // of all leaves that own it, as far as it is finite
+    std::size_t bits = 0;
   };
   // A surface at a place, while it is compared.
   struct Member {
@@ -48,23 +49,26 @@ class Welder {
     RegionForm form;
     double distance;
   };
+  using Groups = std::vector<std::vector<std::uint32_t>>;
 
   void collect(std::span<const Candidate> candidates);
-  FormError error(std::uint32_t surface, const RegionForm& form, const Region& region, Provenance::ChainId known) const;
-  FormError full_error(Provenance::Source source, const RegionForm& form, const Region& region) const;
+  FormError keep_best_known(Surface& surface, const Candidate& candidate, const Region& region, const RegionForm& form);
+  Groups groups_by_rounding(std::span<const Candidate> candidates);
+  Groups groups_by_hand(std::span<const Candidate> candidates, WeldReport& report);
+  std::vector<LeafFaces> faces(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
+                               std::vector<Provenance::Source>& one_source) const;
   double distance(const Member& a, const Member& b, const Region& region);
-  Box box_of(std::uint32_t surface) const;
   void weld_group(std::vector<std::uint32_t> group, std::vector<Replacement>& replacements, WeldReport& report);
   void gather(const Member& leader, const Region& region, std::vector<Member> members,
               std::vector<Replacement>& replacements, WeldReport& report);
   void list_near_misses(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
                         WeldReport& report);
-  std::optional<NearMiss> near_miss(const Candidate& a, const Candidate& b, double most);
   bool precedes(std::uint32_t a, std::uint32_t b) const;
 
   const Provenance& provenance_;
   Welding welding_;
   Box everything_;
+  Region region_;
   double tolerance_ = 0;  // of by_hand, in the scene's unit of length
   std::vector<Surface> surfaces_;
   NearPairs near_;

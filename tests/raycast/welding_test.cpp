@@ -231,3 +231,67 @@ TEST_CASE("curved faces and faces of convex solids weld too") {
   }
   CHECK(apart >= 8);
 }
+
+TEST_CASE("what one leaf or one chain of transforms tells apart stays apart, whatever else is near") {
+  // A plate under one transform, and a block that is flush with its lower face by another.
+  const Solid plate = at(box({1, 1, 1e-10}), {0, 0, 1e6});
+  const Solid block = at(at(box({5.5, 10, 1}), {-5, -5, -1000001}), {0, 0, 2e6});
+  const Ray through({0.7, 0.3, 1e6 + 1}, {0, 0, -1});
+  CHECK(length_of(compile(plate + block, Welding::derived()), through) == 1);
+  CHECK(length_of(compile(block + plate, Welding::derived()), through) == 1);
+}
+
+TEST_CASE("a wider tolerance by hand never welds less") {
+  const Solid solid = box({1, 1, 1}) + at(box({1, 1, 1}), {0, 0, 1.00001}) + at(box({1, 1, 1}), {0, 0, 20});
+  std::size_t before = 0;
+  for (const double tolerance : {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 2e-3, 3e-3, Welding::greatest_tolerance}) {
+    const std::size_t welded = compile(solid, Welding::by_hand(tolerance)).weld_report().surfaces;
+    CHECK(welded >= before);
+    before = welded;
+  }
+  CHECK(before == 1);
+}
+
+TEST_CASE("leaves that are small beside the scene weld by hand, too") {
+  RandomSolids random(17);
+  std::vector<Solid> rivets;
+  for (int i = 0; i < 300; ++i) {
+    Transform m = rotation(random.number(0, 360), random.direction());
+    for (double& entry : m.entry) entry = std::round(entry * 1e6) / 1e6;
+    const Vector place{random.number(0, 100), random.number(0, 100), random.number(0, 100)};
+    const Solid pin = transformed(cylinder(0.02, 0.01, 0.01), m);
+    Transform tilted = m;
+    tilted.entry[2] += 1e-6;
+    rivets.push_back(at(pin, place) + at(transformed(cylinder(0.02, 0.01, 0.01), tilted), place));
+  }
+  const Scene scene = compile(unite(rivets), Welding::by_hand(1e-6));
+  CHECK(scene.surfaces().size() == 3 * 300);
+  CHECK_FALSE(scene.weld_report().incomplete);
+}
+
+TEST_CASE("a tolerance is relative to the solid also where it is made of half-spaces alone") {
+  std::vector<Solid> sides;
+  for (const double sign : {1.0, -1.0}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Vector n;
+      n[axis] = sign;
+      sides.push_back(halfspace(n, 1e-6));
+    }
+  }
+  const Scene scene = compile(intersect(sides), Welding::by_hand(1e-3));
+  CHECK(scene.weld_report().surfaces == 0);
+  CHECK(length_of(scene, Ray({-1, 0, 0}, {1, 0, 0})) == 1);
+  CHECK(compile(halfspace({1, 0, 0}, 1) + halfspace({1, 0, 0}, 1 + 1e-9), Welding::by_hand(1e-3))
+            .weld_report()
+            .surfaces == 0);
+}
+
+TEST_CASE("thousands of surfaces that nearly coincide take neither long nor much") {
+  std::vector<Solid> spheres;
+  for (int i = 0; i < 20'000; ++i) spheres.push_back(sphere(1 + i * 0x1p-52));
+  const Scene scene = compile(unite(spheres), Welding::derived());
+  CHECK(scene.surfaces().size() < 20'000);
+  Welding by_hand = Welding::by_hand(1e-6);
+  by_hand.lists_near_misses = true;
+  CHECK(compile(unite(spheres), by_hand).surfaces().size() < 20'000);
+}
