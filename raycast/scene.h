@@ -100,7 +100,8 @@ class Scene {
   /// Of the solid, rounded outward, without the margin of the nodes' boxes.
   const Box& bounds() const { return bounds_; }
   const WeldReport& weld_report() const { return weld_report_; }
-  /// Of its bounded leaves, for a default camera of an unbounded solid.
+  /// Of its bounded leaves, or of the solid if there are none and it is bounded: what floating point and a default
+  /// camera take for the scene's place and size. Null if there is no such thing.
   const Box& bounded_leaves() const { return bounded_leaves_; }
 
  private:
@@ -124,7 +125,8 @@ class Scene {
 /// The exact answer is that of the solid as it is, or of the welded one if welding is asked for.
 ///
 /// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has
-/// more than 2^22 leaves; Error(usage) for a part below an intersection, difference or complement, or within a part; Error(bad_value) for a tolerance out of range.
+/// more than 2^22 leaves; Error(usage) for a part below an intersection, difference or complement, or within a part;
+/// Error(bad_value) for a tolerance out of range.
 Scene compile(const Solid& solid, const Welding& welding = {});
 
 }  // namespace csgcast

@@ -31,6 +31,10 @@ Twofold difference(const RegionForm& f, const RegionForm& g, std::size_t i, std:
   return f.coefficient[i] * g.coefficient[m] + -(g.coefficient[i] * f.coefficient[m]);
 }
 
+bool same(const RegionForm& f, const RegionForm& g, std::size_t i) {
+  return f.coefficient[i].high == g.coefficient[i].high && f.coefficient[i].low == g.coefficient[i].low;
+}
+
 double plane_gap(const RegionForm& f, const RegionForm& g, const Region& region, const Box& box) {
   const std::size_t m = largest(f);
   double most = std::fabs(difference(f, g, Form::one, m).high);
@@ -55,11 +59,13 @@ Region Region::around(const Box& box) {
   return {box.center(), reach > 0 ? std::ilogb(reach) + 1 : 0};
 }
 
+bool Region::is_resolved() const { return std::ldexp(1, exponent) >= 0x1p-50 * longest(center); }
+
 RegionForm::RegionForm(const QuadricForm& form, const Region& region) : is_plane(form.is_plane()) {
   const ExactPoint center{region.center.x, region.center.y, region.center.z};
   RoundedCoefficients high{};
   RoundedCoefficients low{};
-  in_range = round_scaled(in_coordinates(form, center, region.exponent), high, &low);
+  in_range = round_scaled(in_coordinates(form, center, region.exponent), high, &low, &is_exact);
   for (std::size_t i = 0; i < high.size(); ++i) coefficient[i] = {high[i], low[i]};
 }
 
@@ -71,6 +77,7 @@ RegionForm seen_from(const RegionForm& form, const Region& region, const Region&
   }
   // f(way + s): the gradient at `way` for the first degree, the value there for the constant.
   RegionForm moved = form;
+  moved.is_exact = false;
   const auto& c = form.coefficient;
   for (std::size_t k = 0; k < 3; ++k) {
     Twofold half_bend{};
@@ -110,8 +117,10 @@ double distance_in_errors(const RegionForm& f, const FormError& f_error, const R
   for (std::size_t i = 0; i < f_error.size(); ++i) {
     if (!(f_error[i] <= most_error && g_error[i] <= most_error)) return infinity;
     const double fi = std::fabs(f.coefficient[i].high), gi = std::fabs(g.coefficient[i].high);
-    const double apart = std::fabs(difference(f, g, i, m).high);
-    if (apart <= rounding * (fi * gm + gi * fm)) continue;
+    if (f.is_exact && g.is_exact && same(f, g, i) && same(f, g, m)) continue;
+    // What the rounding of the forms may hide counts as apart: errors smaller than that tell nothing.
+    const double apart = std::fabs(difference(f, g, i, m).high) + rounding * (fi * gm + gi * fm);
+    if (apart == 0 || i == m) continue;
     most = std::fmax(most, apart / (gm * f_error[i] + fm * g_error[i] + fi * g_error[m] + gi * f_error[m]));
   }
   return std::isnan(most) ? infinity : most;

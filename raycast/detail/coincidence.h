@@ -19,12 +19,15 @@ struct Region {
 
   /// About a finite box: |s| <= 1 in it.
   static Region around(const Box& box);
+  /// Whether doubles tell its size from its center's last bit; if not, no error about it can be told.
+  bool is_resolved() const;
 };
 
 /// A surface in a region's coordinates, up to a factor, to a relative 2^-104.
 struct RegionForm {
   std::array<Twofold, QuadricForm::term_count> coefficient;
-  bool in_range = true;  ///< false: a coefficient underflowed
+  bool in_range = true;   ///< false: a coefficient underflowed
+  bool is_exact = false;  ///< true: not even rounded to that
   bool is_plane = false;
 
   RegionForm() = default;

@@ -13,16 +13,22 @@ using Form = QuadricForm;
 
 }  // namespace
 
-bool round_scaled(const QuadricForm& form, RoundedCoefficients& rounded, RoundedCoefficients* left_over) {
+bool round_scaled(const QuadricForm& form, RoundedCoefficients& rounded, RoundedCoefficients* left_over,
+                  bool* all_told) {
   std::int64_t scale = std::numeric_limits<std::int64_t>::min();
   for (const Dyadic& c : form.coefficient) {
     if (!c.is_zero()) scale = std::max(scale, c.magnitude());
   }
   bool in_range = true;
+  if (all_told != nullptr) *all_told = left_over != nullptr;
   for (std::size_t i = 0; i < rounded.size(); ++i) {
     const Dyadic scaled = form.coefficient[i].scaled(-scale);
     rounded[i] = scaled.nearest();
-    if (left_over != nullptr) (*left_over)[i] = (scaled - Dyadic(rounded[i])).nearest();
+    if (left_over != nullptr) {
+      const Dyadic rest = scaled - Dyadic(rounded[i]);
+      (*left_over)[i] = rest.nearest();
+      if (all_told != nullptr) *all_told = *all_told && Dyadic((*left_over)[i]) == rest;
+    }
     in_range = in_range && (form.coefficient[i].is_zero() || std::isnormal(rounded[i]));
   }
   return in_range;

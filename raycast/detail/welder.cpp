@@ -14,9 +14,9 @@ namespace {
 constexpr double border = 1 + 0x1p-30;
 // A surface is compared with so many others of its cluster at most, by so many of its chains of transforms, and with so
 // many in all on the average.
-constexpr std::size_t most_compared = 64;
+constexpr std::size_t most_compared = 16;
 constexpr std::size_t most_chains = 16;
-constexpr std::uint64_t most_work_each = 128;
+constexpr std::uint64_t most_work_each = 40;
 constexpr std::uint64_t least_work = 100'000;
 // Near misses are at most this share of the scene apart.
 constexpr double greatest_near_miss = 0x1p-13;
@@ -137,7 +137,7 @@ Welder::Groups Welder::groups_by_hand(std::span<const Candidate> candidates, Wel
     parent[std::max(root_of(parent, pair.a), root_of(parent, pair.b))] =
         std::min(root_of(parent, pair.a), root_of(parent, pair.b));
   };
-  report.incomplete = !search.search(leaves, 16 * most_work_, join);
+  report.incomplete = !search.search(leaves, 4 * most_work_, join);
   Groups by_root(candidates.size());
   for (std::uint32_t i = 0; i < candidates.size(); ++i) by_root[root_of(parent, i)].push_back(i);
   std::erase_if(by_root, [](const auto& group) { return group.size() < 2; });
@@ -183,6 +183,7 @@ void Welder::weld_group(std::vector<std::uint32_t> group, std::vector<Replacemen
   for (std::size_t i = 0; i < group.size(); ++i) {
     if (is_done[i]) continue;
     const Region region = Region::around(surfaces_[group[i]].box);
+    if (!region.is_resolved()) continue;
     const Member leader{group[i], RegionForm(*surfaces_[group[i]].form, region), 0};
     std::vector<Member> members;
     for (std::size_t j = i + 1; j < group.size(); ++j) {
@@ -239,7 +240,7 @@ void Welder::list_near_misses(std::span<const Candidate> candidates, std::span<c
     if (!is_new && miss.gap < it->second.gap) it->second = miss;
   };
   NearFaces search(forms, region_, greatest_near_miss * report.size);
-  search.search(leaves, 16 * most_work_, note);
+  search.search(leaves, 4 * most_work_, note);
   std::vector<NearMiss> found;
   for (const auto& [surfaces, miss] : nearest) found.push_back(miss);
   std::stable_sort(found.begin(), found.end(), [](const NearMiss& a, const NearMiss& b) { return a.gap < b.gap; });

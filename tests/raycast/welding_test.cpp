@@ -97,8 +97,8 @@ TEST_CASE("flush with one rounded transform a leaf, anywhere and any way up, wel
       }
     }
     if (long_run != nullptr) {
-      WARN(fmt::format("{} placements of 200 rays at {}: {} lists wrong, {} without welding", placements, distance, wrong,
-                       wrong_unwelded));
+      WARN(fmt::format("{} placements of 200 rays at {}: {} lists wrong, {} without welding", placements, distance,
+                       wrong, wrong_unwelded));
     }
     CHECK(wrong == 0);
     CHECK(incomplete == 0);
@@ -183,7 +183,8 @@ TEST_CASE("a plate thinner than its own rounding vanishes when welded, and only 
 }
 
 TEST_CASE("a tolerance by hand welds what is nearer, and near misses name one that does") {
-  const Solid solid = box({1, 1, 1}) + at(box({1, 1, 1}), {1 + 1e-6, 0, 0}) + at(cylinder(1, 0.2, 0.2), {0.5, 0.5, 1 + 3e-6});
+  const Solid solid =
+      box({1, 1, 1}) + at(box({1, 1, 1}), {1 + 1e-6, 0, 0}) + at(cylinder(1, 0.2, 0.2), {0.5, 0.5, 1 + 3e-6});
   Welding derived = Welding::derived();
   derived.lists_near_misses = true;
   const WeldReport report = compile(solid, derived).weld_report();
@@ -207,7 +208,8 @@ TEST_CASE("curved faces and faces of convex solids weld too") {
   const std::vector<Point> wedge{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, {2, 0, 1}, {0, 2, 1}};
   std::vector<Point> half_wedge = wedge;
   for (Point& p : half_wedge) p = {0.5 * p.x, 0.5 * p.y, 0.5 * p.z};
-  const std::vector<PlaneEquation> slab{{{0, 0, 1}, 1}, {{0, 0, -1}, 0}, {{1, 0, 0}, 2}, {{-1, 0, 0}, 0}, {{0, 1, 0}, 2}, {{0, -1, 0}, 0}};
+  const std::vector<PlaneEquation> slab{{{0, 0, 1}, 1},  {{0, 0, -1}, 0}, {{1, 0, 0}, 2},
+                                        {{-1, 0, 0}, 0}, {{0, 1, 0}, 2},  {{0, -1, 0}, 0}};
   const std::vector<std::pair<Solid, Solid>> twins{
       {cylinder(1, 2, 1), at(cylinder(1, 2, 1, Centering::centered), {0, 0, 0.5})},
       {sphere(2), transformed(sphere(1), scaling({2, 2, 2}))},
@@ -294,4 +296,17 @@ TEST_CASE("thousands of surfaces that nearly coincide take neither long nor much
   Welding by_hand = Welding::by_hand(1e-6);
   by_hand.lists_near_misses = true;
   CHECK(compile(unite(spheres), by_hand).surfaces().size() < 20'000);
+}
+
+TEST_CASE("numbers too far apart to be told from each other weld nothing") {
+  const Scene scene = compile(box({1, 1, 1}) + at(box({1, 1, 1}), {1e100, 0, 0}), Welding::derived());
+  CHECK(scene.weld_report().surfaces == 0);
+  CHECK(length_of(scene, Ray({0.5, 0.5, 0.5}, {1, 0, 0})) == 2);
+}
+
+TEST_CASE("a thin wall survives a block that is flush with it by another way round") {
+  const Solid hollow = box({1, 1, 1}) - at(box({0.9, 0.8, 0.8}), {1e-13, 0.1, 0.1});
+  const Solid remote = at(at(box({1, 1, 1}), {-1e6, 0, 0}), {2e6, 5, 0});
+  const Scene scene = compile(at(hollow, {1e6, 0, 0}) + remote, Welding::derived());
+  CHECK(length_of(scene, Ray({1e6, 0.5, 0.5}, {1, 0, 0})) == 2);
 }
