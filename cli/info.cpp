@@ -80,21 +80,29 @@ std::string counted(std::size_t count, const char* noun) {
 /// Three digits of a length or share that is only known to a few.
 std::string about(double value) { return fmt::format("{:.3g}", value); }
 
+/// A length, and what share of the scene's size it is, if it has one.
+std::string with_share(double length, double size) {
+  return size > 0 ? fmt::format("{} (relative {})", about(length), about(length / size)) : about(length);
+}
+
 void append_welding(std::string& out, const WeldReport& report) {
   std::string text = "nothing";
   if (report.surfaces > 0) {
-    text = fmt::format("{} joined {}; moved by at most {} (relative {})", counted(report.surfaces, "surface"),
-                       counted(report.clusters, "other"), about(report.widest), about(report.widest / report.size));
+    text = fmt::format("{} joined {}; moved by at most {}", counted(report.surfaces, "surface"),
+                       counted(report.clusters, "other"), with_share(report.widest, report.size));
   }
   append_row(out, "welded", text + (report.incomplete ? "; cut short: very many surfaces nearly coincide" : ""));
   if (report.near_miss_count == 0) return;
+  const std::string advice =
+      report.suggested_tolerance > 0
+          ? fmt::format("--weld {} would join them, but for wider ones", about(report.suggested_tolerance))
+          : "of all widths, so none can be told from what is meant";
   append_row(out, "near misses",
-             fmt::format("{} of surfaces, not one but near; --weld {} joins the nearest",
-                         counted(report.near_miss_count, "pair"), about(report.suggested_tolerance)));
+             fmt::format("{} of surfaces, not one but near; {}", counted(report.near_miss_count, "pair"), advice));
   for (const NearMiss& miss : report.near_misses) {
     append_row(out, "",
-               fmt::format("{}:{} and {}:{}  gap {} (relative {})", miss.first.line, miss.first.column,
-                           miss.second.line, miss.second.column, about(miss.gap), about(miss.gap / report.size)));
+               fmt::format("{}:{} and {}:{}  gap {}", miss.first.line, miss.first.column, miss.second.line,
+                           miss.second.column, with_share(miss.gap, report.size)));
   }
 }
 

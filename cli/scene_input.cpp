@@ -19,9 +19,10 @@ Welding parse_welding(const std::string& text) {
   const double relative = parse_numbers("--weld", text, 1).front();
   if (relative == 0) return {};
   if (!(relative > 0 && relative <= Welding::greatest_tolerance)) {
-    throw UsageError(fmt::format("--weld {}: a tolerance is a share of the size of the scene, above 0 and at most "
-                                 "{}, or 0 to weld nothing",
-                                 text, Welding::greatest_tolerance));
+    throw UsageError(
+        fmt::format("--weld {}: a tolerance is a share of the size of the scene, above 0 and at most "
+                    "{}, or 0 to weld nothing",
+                    text, Welding::greatest_tolerance));
   }
   return Welding::by_hand(relative);
 }
@@ -70,13 +71,16 @@ SceneInput compile_document(const DocumentInput& input, const SceneOptions& opti
   const Stopwatch compile_watch;
   result.scene = compile(result.description.solid, options.welding);
   result.compile_seconds = compile_watch.seconds();
-  if (result.scene.bounds().is_null()) {
-    Warning empty;
-    empty.place.file = input.document.file;
-    empty.text = "the scene is empty (no solid is left in it); rays meet nothing";
-    result.description.warnings.push_back(empty);
-    if (!options.quiet) fmt::print(stderr, "{}\n", to_string(empty));
-  }
+  const auto warn = [&](const char* text) {
+    Warning warning;
+    warning.place.file = input.document.file;
+    warning.text = text;
+    result.description.warnings.push_back(warning);
+    if (!options.quiet) fmt::print(stderr, "{}\n", to_string(warning));
+  };
+  if (result.scene.weld_report().incomplete)
+    warn("welding was cut short (very many surfaces nearly coincide); some that rounding keeps apart are still two");
+  if (result.scene.bounds().is_null()) warn("the scene is empty (no solid is left in it); rays meet nothing");
   return result;
 }
 

@@ -25,7 +25,8 @@ struct SceneOptions {
   Progress::Show progress() const { return quiet ? Progress::Show::never : Progress::Show::if_terminal; }
 };
 
-/// Adds the scene's place on the command line, --facets, --weld, --threads and --quiet. `options` must live as long as `line`.
+/// Adds the scene's place on the command line, --facets, --weld, --threads and --quiet. `options` must live as long as
+/// `line`.
 void add_scene_options(CLI::App& line, SceneOptions& options);
 
 /// The number of threads to use: what was asked for, else one for each core that the process may use.

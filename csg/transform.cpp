@@ -32,9 +32,10 @@ Vector scaled_axis(Vector v) {
 }
 
 // What an entry of a rotation may be off by, in units of 2^-53: an angle known to half an ulp moves it by at most its
-// radians (of more than a turn only the last turn counts: whoever writes 1e20 degrees means that number); a sine or cosine is off by at most 4 (two roundings and pi's own on the way to at most pi/4 radians, the
-// function's last bit); three of them, four products and a sum about axes by at most 20; about an axis, whose
-// coordinates are known to half an ulp, 12 more than the sine and cosine.
+// radians (of more than a turn only the last turn counts: whoever writes 1e20 degrees means that number); a sine or
+// cosine is off by at most 4 (two roundings and pi's own on the way to at most pi/4 radians, the function's last bit);
+// three of them, four products and a sum about axes by at most 20; about an axis, whose coordinates are known to half
+// an ulp, 12 more than the sine and cosine.
 double rotation_error(double degrees, double roundings) {
   return 0x1p-53 * (roundings + radians(std::fmin(std::fabs(degrees), 360)));
 }
@@ -88,9 +89,8 @@ Transform rotation(Vector degrees_about_axes) {
   return {{cy * cz, sx * sy * cz - cx * sz, cx * sy * cz + sx * sz, 0,  //
            cy * sz, sx * sy * sz + cx * cz, cx * sy * sz - sx * cz, 0,  //
            -sy, sx * cy, cx * cy, 0},
-          rotation_error(std::fabs(degrees_about_axes.x) + std::fabs(degrees_about_axes.y) +
-                             std::fabs(degrees_about_axes.z),
-                         20)};
+          rotation_error(
+              std::fabs(degrees_about_axes.x) + std::fabs(degrees_about_axes.y) + std::fabs(degrees_about_axes.z), 20)};
 }
 
 Transform rotation(double degrees, Vector axis) {

@@ -100,8 +100,7 @@ class Scene {
   /// Of the solid, rounded outward, without the margin of the nodes' boxes.
   const Box& bounds() const { return bounds_; }
   const WeldReport& weld_report() const { return weld_report_; }
-  /// Of its bounded leaves, or of the solid if there are none and it is bounded: what floating point and a default
-  /// camera take for the scene's place and size. Null if there is no such thing.
+  /// Of its bounded leaves, for a default camera of an unbounded solid.
   const Box& bounded_leaves() const { return bounded_leaves_; }
 
  private:

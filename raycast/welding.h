@@ -15,7 +15,7 @@ struct Welding {
   enum class Mode : unsigned char {
     off,      ///< surfaces are the same only if they are equal
     derived,  ///< also if they are equal but for rounding: of each number given, by half an ulp, and of the transforms
-    by_hand,  ///< those at most `tolerance` times the size of the scene apart over the leaves that own them
+    by_hand,  ///< and those at most `tolerance` times the size of the scene apart over the leaves that own them
   };
   Mode mode = Mode::off;
   double tolerance = 0;            ///< of by_hand: above 0, and at most `greatest_tolerance`
@@ -44,7 +44,8 @@ struct WeldReport {
   double size = 0;                    ///< of the scene: what tolerances are relative to; without one none welds by hand
   std::size_t near_miss_count = 0;    ///< pairs of surfaces, if asked for
   std::vector<NearMiss> near_misses;  ///< the nearest of each pair of statements, nearest first; `most_near_misses`
-  double suggested_tolerance = 0;     ///< would weld the near misses up to the first wide jump of their gaps; 0: none
+  double suggested_tolerance =
+      0;  ///< would weld the near misses up to the last jump of their gaps by more than ten; 0: none
 
   static constexpr std::size_t most_near_misses = 10;
 };

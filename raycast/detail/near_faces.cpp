@@ -16,8 +16,7 @@ bool touch(const Box& a, const Box& b, double slack) {
 
 }  // namespace
 
-bool NearFaces::search(std::span<const LeafFaces> leaves, std::uint64_t most_work,
-                       const std::function<void(const Pair&)>& found) {
+bool NearFaces::search(std::span<const LeafFaces> leaves, std::uint64_t most_work, const Take& take) {
   std::vector<std::uint32_t> by_lower(leaves.size());
   std::iota(by_lower.begin(), by_lower.end(), 0u);
   std::sort(by_lower.begin(), by_lower.end(), [&](std::uint32_t i, std::uint32_t j) {
@@ -29,10 +28,11 @@ bool NearFaces::search(std::span<const LeafFaces> leaves, std::uint64_t most_wor
   for (const std::uint32_t i : by_lower) {
     const double front = leaves[i].box.lower.x - most_gap_;
     std::erase_if(open, [&](std::uint32_t j) { return leaves[j].box.upper.x < front; });
-    compare(leaves, i, i, found);
+    if (!compare(leaves, i, i, take)) return false;
     for (const std::uint32_t j : open) {
       ++work_;
-      if (touch(leaves[i].box, leaves[j].box, most_gap_)) compare(leaves, std::min(i, j), std::max(i, j), found);
+      const bool near = touch(leaves[i].box, leaves[j].box, most_gap_);
+      if (near && !compare(leaves, std::min(i, j), std::max(i, j), take)) return false;
       if (work_ > most_work) return false;
     }
     open.push_back(i);
@@ -45,8 +45,7 @@ void NearFaces::move_to(const Region& place, const LeafFaces& leaf, std::vector<
   for (const std::uint32_t surface : leaf.surfaces) moved.push_back(seen_from(forms_[surface], region_, place));
 }
 
-void NearFaces::compare(std::span<const LeafFaces> leaves, std::uint32_t i, std::uint32_t j,
-                        const std::function<void(const Pair&)>& found) {
+bool NearFaces::compare(std::span<const LeafFaces> leaves, std::uint32_t i, std::uint32_t j, const Take& take) {
   const LeafFaces& a = leaves[i];
   const LeafFaces& b = leaves[j];
   const Box both = hull(a.box, b.box);
@@ -60,9 +59,10 @@ void NearFaces::compare(std::span<const LeafFaces> leaves, std::uint32_t i, std:
       if (s == t) continue;
       const double apart = gap(first_[k], second_[l], place, both);
       if (!(apart <= most_gap_)) continue;
-      found(s < t ? Pair{s, t, i, j, apart} : Pair{t, s, j, i, apart});
+      if (!take(s < t ? Pair{s, t, i, j, apart} : Pair{t, s, j, i, apart})) return false;
     }
   }
+  return true;
 }
 
 }  // namespace csgcast::detail

@@ -32,13 +32,14 @@ class NearFaces {
     std::uint32_t leaf_of_b;
     double gap;
   };
-  /// Calls `found` for each pair. False if `most_work` comparisons were not enough.
-  bool search(std::span<const LeafFaces> leaves, std::uint64_t most_work,
-              const std::function<void(const Pair&)>& found);
+  /// Takes a pair; false if it wants no more.
+  using Take = std::function<bool(const Pair&)>;
+
+  /// Hands each pair over. False if `most_work` comparisons were not enough, or no more were wanted.
+  bool search(std::span<const LeafFaces> leaves, std::uint64_t most_work, const Take& take);
 
  private:
-  void compare(std::span<const LeafFaces> leaves, std::uint32_t i, std::uint32_t j,
-               const std::function<void(const Pair&)>& found);
+  bool compare(std::span<const LeafFaces> leaves, std::uint32_t i, std::uint32_t j, const Take& take);
   // The forms of a leaf's surfaces about a place.
   void move_to(const Region& place, const LeafFaces& leaf, std::vector<RegionForm>& moved) const;
 

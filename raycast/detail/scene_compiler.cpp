@@ -74,7 +74,6 @@ Scene SceneCompiler::compile(const Solid& solid) {
     const Context context = child_context(frame);
     visit(children[frame.next++], context);
   }
-  size_up();
   weld();
   gather_regions();
   scene_.bounds_ = scene_.node(scene_.root_).box;
@@ -82,14 +81,6 @@ Scene SceneCompiler::compile(const Solid& solid) {
   scene_.frame_ = csgcast::Frame::around(scene_.bounded_leaves_);
   scene_.surfaces_ = surfaces_.take(scene_.frame_);
   return std::move(scene_);
-}
-
-// A solid of unbounded leaves alone may be bounded itself.
-void SceneCompiler::size_up() {
-  if (!scene_.bounded_leaves_.is_null()) return;
-  Box solid;
-  for (const Body& body : bodies_) solid = hull(solid, scene_.node(body.node).box);
-  if (solid.is_finite()) scene_.bounded_leaves_ = solid;
 }
 
 void SceneCompiler::visit(const Solid& solid, const Context& context) {

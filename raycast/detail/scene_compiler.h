@@ -64,7 +64,6 @@ class SceneCompiler {
   void gather_regions();
   void gather_parts();
   void gather_layers();
-  void size_up();
   void weld();
   void replace_surfaces(std::span<const HalfSpace> positive_side);
   void widen_boxes();

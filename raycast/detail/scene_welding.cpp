@@ -14,7 +14,12 @@ void SceneCompiler::weld() {
   for (std::uint32_t i = 0; i < surfaces_.size(); ++i)
     candidates.push_back({&surfaces_.form(SurfaceId(i)), std::move(sources_[i])});
   sources_.clear();
-  detail::Welder welder(provenance_, welding_, scene_.bounded_leaves_);
+  // A solid of unbounded leaves alone may be bounded itself.
+  Box everything = scene_.bounded_leaves_;
+  if (everything.is_null()) {
+    for (const Body& body : bodies_) everything = hull(everything, scene_.node(body.node).box);
+  }
+  detail::Welder welder(provenance_, welding_, everything);
   const std::vector<detail::Replacement> replacements = welder.run(candidates, scene_.weld_report_);
   if (scene_.weld_report_.surfaces > 0) replace_surfaces(surfaces_.merge(replacements));
 }

@@ -20,6 +20,8 @@ constexpr std::uint64_t most_work_each = 40;
 constexpr std::uint64_t least_work = 100'000;
 // Near misses are at most this share of the scene apart.
 constexpr double greatest_near_miss = 0x1p-13;
+constexpr double wide_jump = 10;
+constexpr std::size_t most_misses = 100'000;
 constexpr Box unit{{-1, -1, -1}, {1, 1, 1}};
 
 std::size_t bits_of(const QuadricForm& form) {
@@ -29,6 +31,16 @@ std::size_t bits_of(const QuadricForm& form) {
 }
 
 double total(const FormError& error) { return std::accumulate(error.begin(), error.end(), 0.0); }
+
+void count(std::span<const Replacement> replacements, WeldReport& report) {
+  std::vector<bool> takes_in(replacements.size());
+  for (std::uint32_t i = 0; i < replacements.size(); ++i) {
+    if (replacements[i].surface == i) continue;
+    ++report.surfaces;
+    report.clusters += takes_in[replacements[i].surface] ? 0 : 1;
+    takes_in[replacements[i].surface] = true;
+  }
+}
 
 std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -41,9 +53,10 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
 Welder::Welder(const Provenance& provenance, const Welding& welding, const Box& everything)
     : provenance_(provenance),
       welding_(welding),
-      everything_(everything.is_finite() ? everything : unit),
+      has_size_(everything.is_finite()),
+      everything_(has_size_ ? everything : unit),
       region_(Region::around(everything_)),
-      tolerance_(everything.is_finite() ? welding.tolerance * length(everything.size()) : 0) {}
+      tolerance_(has_size_ ? welding.tolerance * length(everything.size()) : 0) {}
 
 // The canonical forms decide, so the order of the file does not matter.
 bool Welder::precedes(std::uint32_t a, std::uint32_t b) const {
@@ -120,26 +133,25 @@ std::vector<LeafFaces> Welder::faces(std::span<const Candidate> candidates, std:
   return leaves;
 }
 
-Welder::Groups Welder::groups_by_hand(std::span<const Candidate> candidates, WeldReport& report) {
-  if (tolerance_ <= 0) return {};
+Welder::Groups Welder::groups_by_hand(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
+                                      WeldReport& report) {
   std::vector<RegionForm> forms;
-  std::vector<Replacement> same;
+  for (const Candidate& candidate : candidates) forms.emplace_back(*candidate.form, region_);
   std::vector<std::uint32_t> parent(candidates.size());
   std::iota(parent.begin(), parent.end(), 0u);
-  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-    forms.emplace_back(*candidates[i].form, region_);
-    same.push_back({i});
-  }
   std::vector<Provenance::Source> one_source;
-  const std::vector<LeafFaces> leaves = faces(candidates, same, one_source);
+  const std::vector<LeafFaces> leaves = faces(candidates, replacements, one_source);
   NearFaces search(forms, region_, tolerance_);
-  const auto join = [&parent](const NearFaces::Pair& pair) {
-    parent[std::max(root_of(parent, pair.a), root_of(parent, pair.b))] =
-        std::min(root_of(parent, pair.a), root_of(parent, pair.b));
-  };
-  report.incomplete = !search.search(leaves, 4 * most_work_, join);
+  const bool whole = search.search(leaves, 4 * most_work_, [&parent](const NearFaces::Pair& pair) {
+    const std::uint32_t a = root_of(parent, pair.a), b = root_of(parent, pair.b);
+    parent[std::max(a, b)] = std::min(a, b);
+    return true;
+  });
+  report.incomplete = report.incomplete || !whole;
   Groups by_root(candidates.size());
-  for (std::uint32_t i = 0; i < candidates.size(); ++i) by_root[root_of(parent, i)].push_back(i);
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    if (replacements[i].surface == i) by_root[root_of(parent, i)].push_back(i);
+  }
   std::erase_if(by_root, [](const auto& group) { return group.size() < 2; });
   return by_root;
 }
@@ -149,7 +161,7 @@ double Welder::distance(const Member& a, const Member& b, const Region& region) 
   ++work_;
   const Surface& f = surfaces_[a.surface];
   const Surface& g = surfaces_[b.surface];
-  if (welding_.mode == Welding::Mode::by_hand) return gap(a.form, b.form, region, hull(f.box, g.box)) / tolerance_;
+  if (by_hand_) return gap(a.form, b.form, region, hull(f.box, g.box)) / tolerance_;
   double most = 0;
   for (const Provenance::Source from : f.sources) {
     for (const Provenance::Source to : g.sources) {
@@ -163,22 +175,33 @@ double Welder::distance(const Member& a, const Member& b, const Region& region) 
 }
 
 std::vector<Replacement> Welder::run(std::span<const Candidate> candidates, WeldReport& report) {
-  report.size = length(everything_.size());
+  report.size = has_size_ ? length(everything_.size()) : 0;
   most_work_ = most_work_each * candidates.size() + least_work;
   collect(candidates);
   std::vector<Replacement> replacements;
   for (std::uint32_t i = 0; i < candidates.size(); ++i) replacements.push_back({i});
-  const bool by_hand = welding_.mode == Welding::Mode::by_hand;
-  for (std::vector<std::uint32_t>& group :
-       by_hand ? groups_by_hand(candidates, report) : groups_by_rounding(candidates))
-    weld_group(std::move(group), replacements, report);
-  if (welding_.lists_near_misses) list_near_misses(candidates, replacements, report);
+  weld_groups(groups_by_rounding(candidates), replacements, report);
+  if (welding_.mode == Welding::Mode::by_hand && has_size_) {
+    by_hand_ = true;
+    work_ = 0;
+    weld_groups(groups_by_hand(candidates, replacements, report), replacements, report);
+  }
+  // What took others in may have been taken in itself, by hand.
+  for (Replacement& replacement : replacements) {
+    const Replacement& next = replacements[replacement.surface];
+    replacement = {next.surface, replacement.flipped != next.flipped};
+  }
+  count(replacements, report);
+  if (welding_.lists_near_misses && has_size_) list_near_misses(candidates, replacements, report);
   return replacements;
+}
+
+void Welder::weld_groups(Groups groups, std::vector<Replacement>& replacements, WeldReport& report) {
+  for (std::vector<std::uint32_t>& group : groups) weld_group(std::move(group), replacements, report);
 }
 
 void Welder::weld_group(std::vector<std::uint32_t> group, std::vector<Replacement>& replacements, WeldReport& report) {
   std::sort(group.begin(), group.end(), [this](std::uint32_t a, std::uint32_t b) { return precedes(a, b); });
-  const bool by_rounding = welding_.mode == Welding::Mode::derived;
   std::vector<bool> is_done(group.size());
   for (std::size_t i = 0; i < group.size(); ++i) {
     if (is_done[i]) continue;
@@ -188,7 +211,7 @@ void Welder::weld_group(std::vector<std::uint32_t> group, std::vector<Replacemen
     std::vector<Member> members;
     for (std::size_t j = i + 1; j < group.size(); ++j) {
       work_ += j % 64 == 0 ? 1 : 0;
-      if (is_done[j] || (by_rounding && !near_.overlap(group[i], group[j]))) continue;
+      if (is_done[j] || (!by_hand_ && !near_.overlap(group[i], group[j]))) continue;
       if (work_ > most_work_) {
         report.incomplete = true;
         return;
@@ -220,8 +243,6 @@ void Welder::gather(const Member& leader, const Region& region, std::vector<Memb
     const double moved = gap(leader.form, member.form, region, surfaces_[member.surface].box);
     report.widest = std::fmax(report.widest, moved);
   }
-  report.surfaces += taken.size();
-  report.clusters += taken.empty() ? 0 : 1;
 }
 
 void Welder::list_near_misses(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
@@ -233,11 +254,12 @@ void Welder::list_near_misses(std::span<const Candidate> candidates, std::span<c
   // The faces of one leaf are no miss: it was made like that.
   std::map<std::pair<std::uint32_t, std::uint32_t>, NearMiss> nearest;
   const auto note = [&](const NearFaces::Pair& pair) {
-    if (pair.leaf_of_a == pair.leaf_of_b) return;
+    if (pair.leaf_of_a == pair.leaf_of_b || pair.gap <= tolerance_) return true;
     const NearMiss miss{provenance_.place(one_source[pair.leaf_of_a]), provenance_.place(one_source[pair.leaf_of_b]),
                         pair.gap};
     const auto [it, is_new] = nearest.try_emplace({pair.a, pair.b}, miss);
     if (!is_new && miss.gap < it->second.gap) it->second = miss;
+    return nearest.size() < most_misses;
   };
   NearFaces search(forms, region_, greatest_near_miss * report.size);
   search.search(leaves, 4 * most_work_, note);
@@ -245,9 +267,11 @@ void Welder::list_near_misses(std::span<const Candidate> candidates, std::span<c
   for (const auto& [surfaces, miss] : nearest) found.push_back(miss);
   std::stable_sort(found.begin(), found.end(), [](const NearMiss& a, const NearMiss& b) { return a.gap < b.gap; });
   report.near_miss_count = found.size();
-  // The first wide jump ends the run of gaps that look like one kind of rounding.
-  for (std::size_t i = 0; i < found.size() && (i == 0 || found[i].gap <= 10 * found[i - 1].gap); ++i)
-    report.suggested_tolerance = 1.25 * found[i].gap / report.size;
+  // All of them, unless that would be nearly all there is up to the limit: then those up to the last wide jump.
+  double next = greatest_near_miss * report.size;
+  for (std::size_t i = found.size(); i-- > 0 && report.suggested_tolerance == 0; next = found[i].gap) {
+    if (next > wide_jump * found[i].gap) report.suggested_tolerance = 1.25 * found[i].gap / report.size;
+  }
   // One line for two statements, however many faces of theirs nearly coincide.
   for (const NearMiss& miss : found) {
     const auto same = [&miss](const NearMiss& other) {

@@ -54,10 +54,12 @@ class Welder {
   void collect(std::span<const Candidate> candidates);
   FormError keep_best_known(Surface& surface, const Candidate& candidate, const Region& region, const RegionForm& form);
   Groups groups_by_rounding(std::span<const Candidate> candidates);
-  Groups groups_by_hand(std::span<const Candidate> candidates, WeldReport& report);
+  Groups groups_by_hand(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
+                        WeldReport& report);
   std::vector<LeafFaces> faces(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
                                std::vector<Provenance::Source>& one_source) const;
   double distance(const Member& a, const Member& b, const Region& region);
+  void weld_groups(Groups groups, std::vector<Replacement>& replacements, WeldReport& report);
   void weld_group(std::vector<std::uint32_t> group, std::vector<Replacement>& replacements, WeldReport& report);
   void gather(const Member& leader, const Region& region, std::vector<Member> members,
               std::vector<Replacement>& replacements, WeldReport& report);
@@ -67,8 +69,10 @@ class Welder {
 
   const Provenance& provenance_;
   Welding welding_;
+  bool has_size_;
   Box everything_;
   Region region_;
+  bool by_hand_ = false;  // what distance() goes by now
   double tolerance_ = 0;  // of by_hand, in the scene's unit of length
   std::vector<Surface> surfaces_;
   NearPairs near_;

@@ -124,8 +124,8 @@ TEST_CASE("the option --weld decides which faces become one, and info tells") {
   };
   CHECK(rows({}) == R"(surfaces    9: planes 9, quadrics 0; shared by several leaves 6
 welded      1 surface joined 1 other; moved by at most 5.55e-17 (relative 2.15e-17)
-near misses 1 pair of surfaces, not one but near; --weld 4.83e-07 joins the nearest
-            2:26 and 3:33  gap 1e-06 (relative 3.87e-07)
+near misses 1 pair of surfaces, not one but near; --weld 4.83e-07 would join them, but for wider ones
+            1:1 and 3:33  gap 1e-06 (relative 3.87e-07)
 )");
   CHECK(rows({"--weld", "0"}) == R"(surfaces    10: planes 10, quadrics 0; shared by several leaves 6
 welded      nothing

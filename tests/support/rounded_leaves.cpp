@@ -27,8 +27,7 @@ Solid rounded(const Solid& solid, const Product& above) {
     for (std::size_t i = 0; i < above.size(); ++i) m.entry[i] = static_cast<double>(above[i]);
     return transformed(solid, m);
   }
-  if (solid.kind() == Solid::Kind::transform)
-    return rounded(solid.children()[0], product(above, solid.transform()));
+  if (solid.kind() == Solid::Kind::transform) return rounded(solid.children()[0], product(above, solid.transform()));
   std::vector<Solid> children;
   for (const Solid& child : solid.children()) children.push_back(rounded(child, above));
   switch (solid.kind()) {

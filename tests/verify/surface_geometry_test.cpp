@@ -78,7 +78,7 @@ TEST_CASE("meeting points of curved surfaces are within a few ulps of both") {
   }
 }
 
-TEST_CASE("the apex of a cone and the center of a ball are found exactly; cylinders and paraboloids have none") {
+TEST_CASE("the apex of a cone and the center of a ball are found exactly, and cylinders and paraboloids have none") {
   const Vector offset{3.25, -1e6, 0.125};
   const auto center = [&](const Solid& solid) {
     const Scene scene = compile(transformed(solid, translation(offset)));
