@@ -83,6 +83,7 @@ FormError Welder::keep_best_known(Surface& surface, const Candidate& candidate, 
     if (!is_new && sum < it->second.first) it->second = {sum, source};
   }
   std::vector<std::pair<double, Provenance::Source>> sorted;
+  sorted.reserve(best.size());
   for (const auto& [chain, known] : best) sorted.push_back(known);
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [sum, source] : sorted) {
@@ -264,6 +265,7 @@ void Welder::list_near_misses(std::span<const Candidate> candidates, std::span<c
   NearFaces search(forms, region_, greatest_near_miss * report.size);
   search.search(leaves, 4 * most_work_, note);
   std::vector<NearMiss> found;
+  found.reserve(nearest.size());
   for (const auto& [surfaces, miss] : nearest) found.push_back(miss);
   std::stable_sort(found.begin(), found.end(), [](const NearMiss& a, const NearMiss& b) { return a.gap < b.gap; });
   report.near_miss_count = found.size();
