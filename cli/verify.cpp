@@ -161,7 +161,7 @@ Command verify_command(CLI::App& program) {
       "and\n"
       "for any hit; surfaces and t must be those of exact arithmetic, bit by bit. Flagged are rays with a decision "
       "that\n"
-      "floating point left to exact arithmetic. Exit code 1 if an answer is wrong.\n\n"
+      "plain double left open. Exit code 1 if an answer is wrong.\n\n"
       "Example:\n"
       "  csgcast verify part.csg\n"
       "  csgcast verify part.csg --rays 1000000 --seed 2 --format json -o report.json");

@@ -54,8 +54,7 @@ double plane_gap(const RegionForm& f, const RegionForm& g, const Region& region,
 }  // namespace
 
 Region Region::around(const Box& box) {
-  const Vector half = 0.5 * box.size();
-  const double reach = std::max({half.x, half.y, half.z});
+  const double reach = longest(0.5 * box.size());
   return {box.center(), reach > 0 ? std::ilogb(reach) + 1 : 0};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "raycast/detail/line_crossings.h"
 #include "raycast/detail/quadric_line.h"
 
 namespace csgcast::detail {
@@ -55,12 +56,6 @@ Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
           {f.b, error_b * rounding_of_bounds},
           {f.c, error_c * rounding_of_bounds},
           f.origin};
-}
-
-LineCrossings none(bool positive) {
-  LineCrossings found;
-  found.positive_before = positive;
-  return found;
 }
 
 // What happens to a local surface within reach, if nothing does: |a| s² + 2 |b| s stays below |c|.

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 namespace csgcast::detail {
 namespace {
@@ -16,11 +14,6 @@ constexpr double most_reach = 0x1p-2;
 // Any direction in the space of coefficients will do that no two different surfaces of a scene are likely to share.
 constexpr std::array<double, QuadricForm::term_count> weight{0.8147, 0.5479, 0.9661, 0.6324, 0.7278,
                                                              0.4218, 0.9157, 0.6787, 0.5822, 0.8491};
-
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
 
 }  // namespace
 
@@ -52,7 +45,7 @@ bool NearPairs::overlap(std::uint32_t a, std::uint32_t b) const {
   return std::fabs(x.middle - y.middle) <= reach || x.middle + y.middle <= reach;
 }
 
-std::vector<std::vector<std::uint32_t>> NearPairs::groups() {
+Grouping::Groups NearPairs::groups() const {
   struct Entry {
     double low;
     double high;
@@ -67,23 +60,13 @@ std::vector<std::vector<std::uint32_t>> NearPairs::groups() {
   }
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.low != b.low ? a.low < b.low : a.surface < b.surface; });
-  std::vector<std::uint32_t> parent(ranges_.size());
-  std::iota(parent.begin(), parent.end(), 0u);
+  Grouping grouping(ranges_.size());
   double reached = -1;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (i > 0 && entries[i].low <= reached) {
-      const std::uint32_t a = root_of(parent, entries[i - 1].surface);
-      const std::uint32_t b = root_of(parent, entries[i].surface);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
+    if (i > 0 && entries[i].low <= reached) grouping.join(entries[i - 1].surface, entries[i].surface);
     reached = i == 0 ? entries[i].high : std::fmax(reached, entries[i].high);
   }
-  std::vector<std::vector<std::uint32_t>> by_root(ranges_.size());
-  for (std::uint32_t i = 0; i < ranges_.size(); ++i) {
-    if (ranges_[i].reach >= 0) by_root[root_of(parent, i)].push_back(i);
-  }
-  std::erase_if(by_root, [](const auto& group) { return group.size() < 2; });
-  return by_root;
+  return grouping.groups([this](std::uint32_t i) { return ranges_[i].reach >= 0; });
 }
 
 }  // namespace csgcast::detail

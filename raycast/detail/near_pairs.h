@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "raycast/detail/coincidence.h"
+#include "raycast/detail/grouping.h"
 
 namespace csgcast::detail {
 
@@ -16,7 +17,7 @@ class NearPairs {
   void add(std::uint32_t surface, const RegionForm& form, const FormError& error);
 
   /// The surfaces in groups of two or more such that surfaces with overlapping ranges are in one group.
-  std::vector<std::vector<std::uint32_t>> groups();
+  Grouping::Groups groups() const;
   /// Whether the ranges of two surfaces overlap. Both must have been added.
   bool overlap(std::uint32_t a, std::uint32_t b) const;
 

@@ -4,23 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "raycast/detail/line_crossings.h"
 #include "raycast/detail/quadric_line.h"
 
 namespace csgcast::detail {
 namespace {
-
-LineCrossings none(bool positive) {
-  LineCrossings found;
-  found.positive_before = positive;
-  return found;
-}
-
-LineCrossings one(double tau, bool positive_before) {
-  LineCrossings found = none(positive_before);
-  found.tau[0] = tau;
-  found.count = 1;
-  return found;
-}
 
 LineCrossings plane(const LineFrame& line, const Surface& surface) {
   const PlaneOnLine f = plane_on_line(line, surface);

@@ -42,11 +42,6 @@ void count(std::span<const Replacement> replacements, WeldReport& report) {
   }
 }
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 }  // namespace
 
 // Without a size any center will do for what rounding explains.
@@ -69,13 +64,12 @@ bool Welder::precedes(std::uint32_t a, std::uint32_t b) const {
 
 // Of the sources with one chain of transforms the one known best, and of these the best: if any of them tells two
 // surfaces apart, they are. Returns the error of the one known worst, by which near surfaces are found.
-FormError Welder::keep_best_known(Surface& surface, const Candidate& candidate, const Region& region,
-                                  const RegionForm& form) {
+FormError Welder::keep_best_known(Surface& surface, const Candidate& candidate, const RegionForm& form) {
   std::map<Provenance::ChainId, std::pair<double, Provenance::Source>> best;
   FormError worst{};
   double most = -1;
   for (const Provenance::Source source : candidate.sources) {
-    const FormError error = provenance_.error(source, form, region, 0);
+    const FormError error = provenance_.error(source, form, region_, 0);
     const double sum = total(error);
     if (sum > most || std::isnan(sum)) worst = error;
     most = std::fmax(most, sum);
@@ -105,10 +99,10 @@ void Welder::collect(std::span<const Candidate> candidates) {
   }
 }
 
-Welder::Groups Welder::groups_by_rounding(std::span<const Candidate> candidates) {
+Grouping::Groups Welder::groups_by_rounding(std::span<const Candidate> candidates) {
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
     const RegionForm form(*candidates[i].form, region_);
-    near_.add(i, form, keep_best_known(surfaces_[i], candidates[i], region_, form));
+    near_.add(i, form, keep_best_known(surfaces_[i], candidates[i], form));
   }
   return near_.groups();
 }
@@ -134,27 +128,20 @@ std::vector<LeafFaces> Welder::faces(std::span<const Candidate> candidates, std:
   return leaves;
 }
 
-Welder::Groups Welder::groups_by_hand(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
-                                      WeldReport& report) {
+Grouping::Groups Welder::groups_by_hand(std::span<const Candidate> candidates,
+                                        std::span<const Replacement> replacements, WeldReport& report) {
   std::vector<RegionForm> forms;
   for (const Candidate& candidate : candidates) forms.emplace_back(*candidate.form, region_);
-  std::vector<std::uint32_t> parent(candidates.size());
-  std::iota(parent.begin(), parent.end(), 0u);
+  Grouping grouping(candidates.size());
   std::vector<Provenance::Source> one_source;
   const std::vector<LeafFaces> leaves = faces(candidates, replacements, one_source);
   NearFaces search(forms, region_, tolerance_);
-  const bool whole = search.search(leaves, 4 * most_work_, [&parent](const NearFaces::Pair& pair) {
-    const std::uint32_t a = root_of(parent, pair.a), b = root_of(parent, pair.b);
-    parent[std::max(a, b)] = std::min(a, b);
+  const bool whole = search.search(leaves, 4 * most_work_, [&grouping](const NearFaces::Pair& pair) {
+    grouping.join(pair.a, pair.b);
     return true;
   });
   report.incomplete = report.incomplete || !whole;
-  Groups by_root(candidates.size());
-  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-    if (replacements[i].surface == i) by_root[root_of(parent, i)].push_back(i);
-  }
-  std::erase_if(by_root, [](const auto& group) { return group.size() < 2; });
-  return by_root;
+  return grouping.groups([replacements](std::uint32_t i) { return replacements[i].surface == i; });
 }
 
 // In errors, or in tolerances: at most 1 for one surface.
@@ -197,7 +184,7 @@ std::vector<Replacement> Welder::run(std::span<const Candidate> candidates, Weld
   return replacements;
 }
 
-void Welder::weld_groups(Groups groups, std::vector<Replacement>& replacements, WeldReport& report) {
+void Welder::weld_groups(Grouping::Groups groups, std::vector<Replacement>& replacements, WeldReport& report) {
   for (std::vector<std::uint32_t>& group : groups) weld_group(std::move(group), replacements, report);
 }
 

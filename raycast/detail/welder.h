@@ -49,17 +49,16 @@ class Welder {
     RegionForm form;
     double distance;
   };
-  using Groups = std::vector<std::vector<std::uint32_t>>;
 
   void collect(std::span<const Candidate> candidates);
-  FormError keep_best_known(Surface& surface, const Candidate& candidate, const Region& region, const RegionForm& form);
-  Groups groups_by_rounding(std::span<const Candidate> candidates);
-  Groups groups_by_hand(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
-                        WeldReport& report);
+  FormError keep_best_known(Surface& surface, const Candidate& candidate, const RegionForm& form);
+  Grouping::Groups groups_by_rounding(std::span<const Candidate> candidates);
+  Grouping::Groups groups_by_hand(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
+                                  WeldReport& report);
   std::vector<LeafFaces> faces(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
                                std::vector<Provenance::Source>& one_source) const;
   double distance(const Member& a, const Member& b, const Region& region);
-  void weld_groups(Groups groups, std::vector<Replacement>& replacements, WeldReport& report);
+  void weld_groups(Grouping::Groups groups, std::vector<Replacement>& replacements, WeldReport& report);
   void weld_group(std::vector<std::uint32_t> group, std::vector<Replacement>& replacements, WeldReport& report);
   void gather(const Member& leader, const Region& region, std::vector<Member> members,
               std::vector<Replacement>& replacements, WeldReport& report);

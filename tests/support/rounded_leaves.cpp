@@ -2,7 +2,10 @@
 #include "tests/support/rounded_leaves.h"
 
 #include <array>
+#include <utility>
 #include <vector>
+
+#include "tests/support/rebuilt.h"
 
 namespace csgcast::test {
 namespace {
@@ -30,22 +33,7 @@ Solid rounded(const Solid& solid, const Product& above) {
   if (solid.kind() == Solid::Kind::transform) return rounded(solid.children()[0], product(above, solid.transform()));
   std::vector<Solid> children;
   for (const Solid& child : solid.children()) children.push_back(rounded(child, above));
-  switch (solid.kind()) {
-    case Solid::Kind::unite:
-      return unite(std::move(children));
-    case Solid::Kind::intersect:
-      return intersect(std::move(children));
-    case Solid::Kind::subtract:
-      return subtract(std::move(children));
-    case Solid::Kind::complement:
-      return complement(children[0]);
-    case Solid::Kind::part:
-      return named(children[0], solid.part());
-    case Solid::Kind::look:
-      return with_look(children[0], solid.look());
-    default:
-      return solid;
-  }
+  return rebuilt(solid, std::move(children));
 }
 
 }  // namespace

@@ -5,10 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "raycast/detail/line_crossings.h"
+
 namespace csgcast::bench {
 namespace {
 
 using Form = QuadricForm;
+using detail::none;
+using detail::one;
 
 // a s² + 2 b s + c.
 struct Quadratic {
@@ -34,19 +38,6 @@ double kahan_discriminant(const Quadratic& f) {
   const double bb = f.b * f.b;
   const double ac = f.a * f.c;
   return (bb - ac) + (std::fma(f.b, f.b, -bb) - std::fma(f.a, f.c, -ac));
-}
-
-LineCrossings none(bool positive) {
-  LineCrossings found;
-  found.positive_before = positive;
-  return found;
-}
-
-LineCrossings one(double tau, bool positive_before) {
-  LineCrossings found = none(positive_before);
-  found.tau[0] = tau;
-  found.count = 1;
-  return found;
 }
 
 LineCrossings two(double tau, double other_tau, bool positive_before) {

@@ -2,34 +2,9 @@
 #include <utility>
 
 #include "tests/oracle/quadrics/formula.h"
+#include "tests/support/rebuilt.h"
 
 namespace csgcast::oracle::quadrics {
-namespace {
-
-// A node like another over other children.
-Solid rebuilt(const Solid& solid, std::vector<Solid> children) {
-  switch (solid.kind()) {
-    case Solid::Kind::unite:
-      return unite(std::move(children));
-    case Solid::Kind::intersect:
-      return intersect(std::move(children));
-    case Solid::Kind::subtract:
-      return subtract(std::move(children));
-    case Solid::Kind::complement:
-      return complement(std::move(children.front()));
-    case Solid::Kind::transform:
-      return transformed(std::move(children.front()), solid.transform());
-    case Solid::Kind::part:
-      return named(std::move(children.front()), solid.part());
-    case Solid::Kind::look:
-      return with_look(std::move(children.front()), solid.look());
-    default:
-      return solid;
-  }
-}
-
-}  // namespace
-
 Solid with_numbered_leaves(const Solid& solid) {
   struct Frame {
     Solid solid;
@@ -44,7 +19,7 @@ Solid with_numbered_leaves(const Solid& solid) {
       continue;
     }
     const bool is_leaf = top.solid.kind() == Solid::Kind::leaf;
-    Solid finished = is_leaf ? top.solid.at({"", ++leaves, 1}) : rebuilt(top.solid, std::move(top.done));
+    Solid finished = is_leaf ? top.solid.at({"", ++leaves, 1}) : test::rebuilt(top.solid, std::move(top.done));
     open.pop_back();
     if (open.empty()) return finished;
     open.back().done.push_back(std::move(finished));

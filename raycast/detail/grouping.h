@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace csgcast::detail {
+
+/// Numbers below a count, joined into groups.
+class Grouping {
+ public:
+  using Groups = std::vector<std::vector<std::uint32_t>>;
+
+  explicit Grouping(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t x = root_of(a), y = root_of(b);
+    parent_[std::max(x, y)] = std::min(x, y);
+  }
+
+  /// The groups of two or more, of those numbers that are wanted, ascending.
+  template <class Wanted>
+  Groups groups(Wanted&& wanted) {
+    Groups by_root(parent_.size());
+    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+      if (wanted(i)) by_root[root_of(i)].push_back(i);
+    }
+    std::erase_if(by_root, [](const auto& group) { return group.size() < 2; });
+    return by_root;
+  }
+
+ private:
+  std::uint32_t root_of(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace csgcast::detail
