@@ -5,6 +5,7 @@ find_package(TBB REQUIRED)
 find_package(Eigen3 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(gmpxx REQUIRED IMPORTED_TARGET gmpxx)
+pkg_check_modules(libhwy REQUIRED IMPORTED_TARGET libhwy)
 # pkg-config first: Debian's OpenImageIOConfig.cmake stops with an error unless packages are there that nobody else needs.
 pkg_check_modules(OpenImageIO IMPORTED_TARGET OpenImageIO)
 if(NOT TARGET PkgConfig::OpenImageIO)

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/cells.h"
+
+#include "raycast/detail/cell_builder.h"
+
+namespace csgcast {
+
+Cells::Cells(const Scene& scene, NodeId node)
+    : scene_(&scene),
+      node_(node),
+      data_(std::make_unique<const detail::CellData>(detail::CellBuilder(scene, node).build())) {}
+
+Cells::~Cells() = default;
+Cells::Cells(Cells&&) noexcept = default;
+
+Cells::Counts Cells::counts() const {
+  Counts counts;
+  counts.nodes = data_->nodes.size();
+  for (const detail::Cell& cell : data_->cells) {
+    if (cell.slot_count == 0 && !cell.is_undecided) continue;
+    ++counts.cells;
+    counts.surfaces += cell.slot_count;
+    counts.large += cell.step_count > 0 ? 1 : 0;
+    counts.undecided += cell.is_undecided ? 1 : 0;
+  }
+  const auto bytes_of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+  counts.bytes = bytes_of(data_->nodes) + bytes_of(data_->cells) + bytes_of(data_->slots) + bytes_of(data_->steps) +
+                 bytes_of(data_->surfaces);
+  return counts;
+}
+
+}  // namespace csgcast

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/detail/cell_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace csgcast::detail {
+namespace {
+
+constexpr int most_depth = 60;
+// How often a split that promises nothing may be tried on the way down.
+constexpr int most_hopes = 3;
+constexpr std::size_t most_leaves_tried = 12;
+constexpr std::size_t most_candidates = 24;
+// Beside a face, far enough for the cell to be clear of it: the boxes of leaves are wider by 2^-31.
+constexpr double beside = 0x1p-30;
+constexpr double least_side = 0x1p-28;
+
+// The cost of a ray, in units of the test of a surface.
+constexpr double cost_of_node = 1.0;
+constexpr double cost_of_constant = 0.3;
+double area(const CellBox& box) {
+  const Vector s = box.upper - box.lower;
+  return s.x * s.y + s.y * s.z + s.z * s.x;
+}
+
+CellBox inflated(const CellBox& box) {
+  const Vector m{cell_margin, cell_margin, cell_margin};
+  return {box.lower - m, box.upper + m};
+}
+
+bool apart(const CellBox& a, const CellBox& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (a.lower[axis] > b.upper[axis] || a.upper[axis] < b.lower[axis]) return true;
+  }
+  return false;
+}
+
+CellBox below(CellBox box, std::size_t axis, double at) {
+  box.upper[axis] = at;
+  return box;
+}
+
+CellBox above(CellBox box, std::size_t axis, double at) {
+  box.lower[axis] = at;
+  return box;
+}
+
+CellBox in_frame(const Box& box, const Frame& frame) {
+  CellBox result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    // Rounds by less than 2^-50 of numbers below 4, which the boxes' own margin covers.
+    result.lower[axis] = std::ldexp(box.lower[axis] - frame.center[axis], -frame.exponent);
+    result.upper[axis] = std::ldexp(box.upper[axis] - frame.center[axis], -frame.exponent);
+  }
+  return result;
+}
+
+}  // namespace
+
+double CellBuilder::cost_of_cell(std::size_t surfaces) {
+  if (surfaces == 0) return cost_of_constant;
+  const double n = static_cast<double>(surfaces);
+  return surfaces <= Cell::table_slots ? 1.5 + n : 4 + 2 * n;
+}
+
+CellBuilder::CellBuilder(const Scene& scene, NodeId node) : scene_(scene), whole_(formula_of(scene, node)) {
+  const std::size_t surfaces = scene.surfaces().size();
+  forms_.reserve(surfaces);
+  data_.surfaces.reserve(surfaces);
+  for (const Surface& surface : scene.surfaces()) {
+    forms_.push_back({surface.local, surface.center});
+    data_.surfaces.push_back(make_lane_surface(surface));
+  }
+  asked_in_.assign(surfaces, 0);
+  answer_.assign(surfaces, Sides::both);
+  seen_in_.assign(surfaces, 0);
+  even_look_.assign(scene.regions().size(), 1);
+  for (const Leaf& leaf : scene.leaves()) {
+    if (leaf.region.valid() && !leaf.holds_nothing && leaf.look != scene.region(leaf.region).look)
+      even_look_[leaf.region.index()] = 0;
+  }
+  place_leaves(node);
+}
+
+void CellBuilder::place_leaves(NodeId node) {
+  leaf_boxes_.resize(scene_.leaves().size());
+  for (const Node& at : scene_.nodes()) {
+    if (at.op == Node::Op::leaf) leaf_boxes_[at.first] = in_frame(at.box, scene_.frame());
+  }
+  const CellBox solid = in_frame(scene_.node(node).box, scene_.frame());
+  data_.reaches_beyond = !scene_.node(node).box.is_finite();
+  data_.is_empty = scene_.node(node).box.is_null();
+  constexpr double side = 0.5;
+  data_.box = {{-side, -side, -side}, {side, side, side}};
+  if (!data_.reaches_beyond) {
+    const Vector more{beside, beside, beside};
+    data_.box = {solid.lower - more, solid.upper + more};
+  }
+}
+
+CellData CellBuilder::build() {
+  data_.cells.resize(2);  // the two constants
+  data_.cells[1].value = true;
+  if (data_.is_empty || (whole_.is_constant() && !whole_.value)) {
+    data_.is_empty = true;
+    data_.reaches_beyond = false;
+    return std::move(data_);
+  }
+  if (data_.reaches_beyond) {
+    build_outside();
+  } else {
+    Formula formula;
+    fold(whole_, data_.box, formula);
+    build(formula, data_.box, 0, most_hopes);
+  }
+  return std::move(data_);
+}
+
+// Six splits along the sides of the box: each cuts off an infinite cell, and what is left after the last is the box.
+void CellBuilder::build_outside() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  CellBox rest{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+  std::vector<std::pair<std::size_t, Formula>> above_all;  // splits whose other child, the rest, comes first
+  Formula formula;
+  is_outside_ = true;
+  for (std::size_t side = 0; side < 6; ++side) {
+    const std::size_t axis = side / 2;
+    const bool is_lower = side % 2 == 0;
+    const double at = is_lower ? data_.box.lower[axis] : data_.box.upper[axis];
+    const std::size_t node = data_.nodes.size();
+    data_.nodes.push_back({at, 0, static_cast<std::uint32_t>(axis)});
+    fold(whole_, is_lower ? below(rest, axis, at) : above(rest, axis, at), formula);
+    if (is_lower) {
+      add_cell(formula);
+      data_.nodes[node].above = static_cast<std::uint32_t>(data_.nodes.size());
+      rest.lower[axis] = at;
+    } else {
+      above_all.emplace_back(node, formula);
+      rest.upper[axis] = at;
+    }
+  }
+  is_outside_ = false;
+  fold(whole_, rest, formula);
+  build(formula, rest, 0, most_hopes);
+  is_outside_ = true;
+  for (const auto& [node, outer] : above_all) {
+    data_.nodes[node].above = static_cast<std::uint32_t>(data_.nodes.size());
+    add_cell(outer);
+  }
+}
+
+void CellBuilder::forget_since(const Marks& marks) {
+  data_.nodes.resize(marks.nodes);
+  data_.cells.resize(marks.cells);
+  data_.slots.resize(marks.slots);
+  data_.steps.resize(marks.steps);
+}
+
+Sides CellBuilder::sides_of(SurfaceId id, const CellBox& box) {
+  const std::size_t i = id.index();
+  if (asked_in_[i] != question_) {
+    asked_in_[i] = question_;
+    answer_[i] = data_.surfaces[i].kind == LaneSurface::Kind::undecided ? Sides::both : sides_in(forms_[i], box);
+  }
+  return answer_[i];
+}
+
+void CellBuilder::fold(const Formula& from, const CellBox& box, Formula& result) {
+  ++question_;
+  const CellBox wide = inflated(box);
+  folder_.fold(
+      from, result, [&](LeafId leaf) { return apart(leaf_boxes_[leaf.index()], wide) ? Known::no : Known::open; },
+      [&](const Term& term) {
+        const Sides sides = sides_of(term.surface(), wide);
+        if (sides == Sides::both) return Known::open;
+        return (sides == Sides::positive) == term.wants_positive() ? Known::yes : Known::no;
+      });
+}
+
+void CellBuilder::gather_surfaces(const Formula& formula, std::vector<SurfaceId>& surfaces) {
+  surfaces.clear();
+  ++sighting_;
+  for (const Term& term : formula.terms) {
+    if (term.op != Term::Op::half_space) continue;
+    std::uint32_t& seen = seen_in_[term.surface().index()];
+    if (seen == sighting_) continue;
+    seen = sighting_;
+    surfaces.push_back(term.surface());
+  }
+}
+
+void CellBuilder::gather_leaves(const Formula& formula, std::vector<LeafId>& leaves) const {
+  leaves.clear();
+  for (const Term& term : formula.terms) {
+    if (term.op == Term::Op::leaf) leaves.emplace_back(term.what);
+  }
+}
+
+// The expected cost of the formula's rays if it were one cell.
+double CellBuilder::trial_cost(const Formula& formula, const CellBox& box) {
+  fold(formula, box, trial_);
+  ++sighting_;
+  std::size_t count = 0;
+  for (const Term& term : trial_.terms) {
+    if (term.op != Term::Op::half_space) continue;
+    std::uint32_t& seen = seen_in_[term.surface().index()];
+    count += seen != sighting_ ? 1 : 0;
+    seen = sighting_;
+  }
+  return cost_of_cell(count);
+}
+
+double CellBuilder::build(const Formula& formula, const CellBox& box, int depth, int hopes) {
+  if (formula.is_constant()) return add_cell(formula);
+  std::vector<SurfaceId> surfaces;
+  gather_surfaces(formula, surfaces);
+  const double as_one = cost_of_cell(surfaces.size());
+  if (surfaces.size() < 2 || depth == most_depth) return add_cell(formula);
+  std::vector<LeafId> leaves;
+  gather_leaves(formula, leaves);
+  Split split;
+  if (leaves.size() > most_leaves_tried) split = split_by_bins(leaves, box);
+  if (split.cost == 0 || split.cost > 0.95 * as_one) {
+    // Binning sees boxes only. Where they are of no help, a trial of the real thing is, if it is small enough.
+    if (leaves.size() <= 4 * most_leaves_tried) split = split_by_trial(formula, leaves, box);
+  }
+  if (split.cost == 0) return add_cell(formula);
+  const bool is_promising = split.cost < as_one;
+  const bool is_too_large = surfaces.size() > Cell::table_slots;
+  if (!is_promising && hopes == 0 && !(is_too_large && depth < 24)) return add_cell(formula);
+  const int left = is_promising ? most_hopes : std::max(hopes - 1, 0);
+
+  const Marks before = marks();
+  data_.nodes.push_back({split.at, 0, static_cast<std::uint32_t>(split.axis)});
+  double cost = cost_of_node;
+  const std::array<CellBox, 2> parts{below(box, split.axis, split.at), above(box, split.axis, split.at)};
+  for (std::size_t part = 0; part < 2; ++part) {
+    if (part == 1) data_.nodes[before.nodes].above = static_cast<std::uint32_t>(data_.nodes.size());
+    Formula folded;
+    fold(formula, parts[part], folded);
+    cost += area(parts[part]) / area(box) * build(folded, parts[part], depth + 1, left);
+  }
+  if (cost < as_one || surfaces.size() > Cell::most_slots) return cost;
+  forget_since(before);
+  return add_cell(formula);
+}
+
+// The surface area heuristic over the boxes of the leaves.
+CellBuilder::Split CellBuilder::split_by_bins(std::span<const LeafId> leaves, const CellBox& box) const {
+  constexpr std::size_t bins = 32;
+  Split best{0, 0, std::numeric_limits<double>::infinity()};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double low = box.lower[axis];
+    const double width = (box.upper[axis] - low) / bins;
+    if (width < least_side) continue;
+    std::array<std::uint32_t, bins + 1> begins{};
+    std::array<std::uint32_t, bins + 1> ends{};
+    const auto bin = [&](double x) {
+      return static_cast<std::size_t>(std::clamp((x - low) / width, 0.0, static_cast<double>(bins) - 0.5));
+    };
+    for (const LeafId leaf : leaves) {
+      ++begins[bin(leaf_boxes_[leaf.index()].lower[axis] - beside)];
+      ++ends[bin(leaf_boxes_[leaf.index()].upper[axis] + beside)];
+    }
+    std::size_t left = 0;
+    std::size_t right = leaves.size();
+    for (std::size_t i = 1; i < bins; ++i) {
+      left += begins[i - 1];
+      right -= ends[i - 1];
+      const double at = low + static_cast<double>(i) * width;
+      const double cost = cost_of_node + (area(below(box, axis, at)) * cost_of_cell(left) +
+                                          area(above(box, axis, at)) * cost_of_cell(right)) /
+                                             area(box);
+      if (cost < best.cost) best = {axis, at, cost};
+    }
+  }
+  if (std::isinf(best.cost)) return {};
+  return best;
+}
+
+void CellBuilder::add_candidates(std::span<const LeafId> leaves, const CellBox& box,
+                                 std::vector<Split>& candidates) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double low = box.lower[axis];
+    const double high = box.upper[axis];
+    if (high - low < 2 * least_side) continue;
+    const auto add = [&](double at) {
+      if (at > low + least_side && at < high - least_side) candidates.push_back({axis, at, 0});
+    };
+    add(0.5 * (low + high));
+    for (const LeafId leaf : leaves) {
+      for (const double side : {leaf_boxes_[leaf.index()].lower[axis], leaf_boxes_[leaf.index()].upper[axis]}) {
+        add(side - beside);
+        add(side + beside);
+      }
+    }
+  }
+}
+
+// The best of some candidates beside the leaves' sides, by what the children would really be.
+CellBuilder::Split CellBuilder::split_by_trial(const Formula& formula, std::span<const LeafId> leaves,
+                                               const CellBox& box) {
+  std::vector<Split> candidates;
+  add_candidates(leaves, box, candidates);
+  std::sort(candidates.begin(), candidates.end(), [](const Split& a, const Split& b) {
+    return a.axis != b.axis ? a.axis < b.axis : a.at < b.at;
+  });
+  const auto last = std::unique(candidates.begin(), candidates.end(), [](const Split& a, const Split& b) {
+    return a.axis == b.axis && std::fabs(a.at - b.at) < beside / 2;
+  });
+  candidates.erase(last, candidates.end());
+  const std::size_t stride = (candidates.size() + most_candidates - 1) / most_candidates;
+  Split best{};
+  for (std::size_t i = 0; i < candidates.size(); i += std::max<std::size_t>(stride, 1)) {
+    Split split = candidates[i];
+    const CellBox left = below(box, split.axis, split.at);
+    const CellBox right = above(box, split.axis, split.at);
+    split.cost = cost_of_node +
+                 (area(left) * trial_cost(formula, left) + area(right) * trial_cost(formula, right)) / area(box);
+    if (best.cost == 0 || split.cost < best.cost) best = split;
+  }
+  return best;
+}
+
+}  // namespace csgcast::detail

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raycast/detail/cell_data.h"
+#include "raycast/detail/formula.h"
+
+namespace csgcast::detail {
+
+/// Cuts the space of a scene's node into cells, each with the formula of the surfaces that cross it.
+///
+/// From the top down: a child's formula is its parent's, folded by what interval arithmetic shows to be constant in the
+/// child. Splits minimise the expected cost of a ray (the surface area heuristic); parts that turned out no cheaper than
+/// one cell become one.
+class CellBuilder {
+ public:
+  CellBuilder(const Scene& scene, NodeId node);
+  CellData build();
+
+ private:
+  struct Split {
+    std::size_t axis = 0;
+    double at = 0;
+    double cost = 0;
+  };
+  struct Marks {
+    std::size_t nodes, cells, slots, steps;
+  };
+
+  static double cost_of_cell(std::size_t surfaces);
+  void place_leaves(NodeId node);
+  void build_outside();
+  double build(const Formula& formula, const CellBox& box, int depth, int hopes);
+  double add_cell(const Formula& formula);
+  void fold(const Formula& from, const CellBox& box, Formula& result);
+  Sides sides_of(SurfaceId id, const CellBox& inflated);
+  void gather_surfaces(const Formula& formula, std::vector<SurfaceId>& surfaces);
+  void gather_leaves(const Formula& formula, std::vector<LeafId>& leaves) const;
+  Split split_by_bins(std::span<const LeafId> leaves, const CellBox& box) const;
+  Split split_by_trial(const Formula& formula, std::span<const LeafId> leaves, const CellBox& box);
+  void add_candidates(std::span<const LeafId> leaves, const CellBox& box, std::vector<Split>& candidates) const;
+  double trial_cost(const Formula& formula, const CellBox& box);
+  std::vector<std::uint64_t> table_of(const Formula& formula, std::span<const SurfaceId> surfaces);
+  bool add_table(const Formula& formula, std::vector<SurfaceId>& surfaces, Cell& cell);
+  void add_steps(const Formula& formula, Cell& cell);
+  void add_slots(const Formula& formula, std::span<const SurfaceId> surfaces, Cell& cell);
+  Slot slot_of(const Formula& formula, SurfaceId surface) const;
+  LookId face_look(const Leaf& leaf, bool one_region) const;
+  Marks marks() const { return {data_.nodes.size(), data_.cells.size(), data_.slots.size(), data_.steps.size()}; }
+  void forget_since(const Marks& marks);
+
+  const Scene& scene_;
+  Formula whole_;
+  CellData data_;
+  bool is_outside_ = false;  // the cells that are being made are infinite
+  std::vector<CellForm> forms_;      // by surface
+  std::vector<CellBox> leaf_boxes_;  // by leaf
+  std::vector<std::uint8_t> even_look_;  // by region: all that it is made of, and its faces, look the same
+  Folder folder_;
+  FormulaValue value_;
+  // What is known of the surfaces in the box that is being folded.
+  std::vector<std::uint32_t> asked_in_;
+  std::vector<Sides> answer_;
+  std::uint32_t question_ = 0;
+  std::vector<std::uint32_t> seen_in_;
+  std::uint32_t sighting_ = 0;
+  std::vector<std::uint32_t> slot_of_surface_;  // in the cell that is being made
+  Formula trial_;
+};
+
+}  // namespace csgcast::detail

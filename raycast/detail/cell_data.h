@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "csg/ids.h"
+#include "raycast/detail/form_range.h"
+#include "raycast/detail/lane_surface.h"
+
+namespace csgcast::detail {
+
+/// How much wider than itself a cell is taken to be when it is decided which surfaces cross it, in units of the frame.
+/// What rounding may move along a ray (`greatest_slack`, twice, at the speed of less than 2 on an axis) and the
+/// coordinates (below 2^-48) is far less.
+constexpr double cell_margin = 0x1p-32;
+/// The most by which events in a cell may be off: rays with less certain ones are left to the caster.
+constexpr double greatest_slack = 0x1p-36;
+
+/// A node of the kd-tree: the child below the split follows it.
+struct CellNode {
+  static constexpr std::uint32_t no_axis = 3;
+
+  double split = 0;
+  std::uint32_t above = 0;  ///< the index of the other child; of an end its cell
+  std::uint32_t axis = no_axis;
+
+  bool is_end() const { return axis == no_axis; }
+};
+
+/// A surface that crosses a cell, and the face that it makes there.
+struct Slot {
+  std::uint32_t surface = 0;
+  LeafId leaf;  ///< the only one that owns the surface in the cell; not valid if there are more
+  LookId look;  ///< what every face on this surface shows in the cell; not valid if that depends
+};
+
+/// One step of the value of a formula over more surfaces than a table holds.
+struct Step {
+  enum class Op : std::uint8_t { leaf, unite, intersect, subtract, complement };
+  Op op = Op::leaf;
+  std::uint64_t mask = 0;  ///< of a leaf: the slots of its half-spaces
+  std::uint64_t want = 0;  ///< and those whose positive side they take
+};
+
+/// A part of space with what the tree comes to there: bit i of a state says that slot i's surface is positive.
+struct Cell {
+  static constexpr unsigned table_slots = 6;   ///< up to these many `table` is the value by state
+  static constexpr unsigned most_slots = 64;   ///< and beyond, `steps`; more cells hold none: `is_undecided`
+
+  static constexpr std::size_t most_operands = 32;  ///< that the steps may have waiting
+
+  std::uint64_t table = 0;
+  std::uint32_t first_slot = 0;
+  std::uint32_t first_step = 0;
+  std::uint16_t step_count = 0;
+  std::uint8_t slot_count = 0;
+  bool value = false;         ///< of a cell that no surface crosses
+  bool is_undecided = false;  ///< rays through it are left to the caster
+};
+
+/// Space in cells. Coordinates are the frame's, turned by `axes` (rows) if `is_turned`.
+struct CellData {
+  bool is_turned = false;
+  Vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  CellBox box{};          ///< beyond it there is nothing, unless `reaches_beyond`
+  bool is_empty = false;  ///< there is nothing at all
+  bool reaches_beyond = false;
+  std::vector<CellNode> nodes;
+  std::vector<Cell> cells;
+  std::vector<Slot> slots;
+  std::vector<Step> steps;
+  std::vector<LaneSurface> surfaces;  ///< by SurfaceId
+};
+
+}  // namespace csgcast::detail

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "raycast/detail/cell_builder.h"
+
+// The ends of the kd-tree: a formula becomes a table or steps, its surfaces slots with the faces that they make.
+
+namespace csgcast::detail {
+namespace {
+
+constexpr std::size_t most_tabled = 10;  // more surfaces than that are not searched for those that do not matter
+constexpr std::array<std::uint64_t, 6> variable{0xaaaaaaaaaaaaaaaau, 0xccccccccccccccccu, 0xf0f0f0f0f0f0f0f0u,
+                                                0xff00ff00ff00ff00u, 0xffff0000ffff0000u, 0xffffffff00000000u};
+
+bool bit(std::span<const std::uint64_t> table, std::size_t state) {
+  return ((table[state / 64] >> (state % 64)) & 1) != 0;
+}
+
+// Whether the value ever depends on one surface.
+bool matters(std::span<const std::uint64_t> table, std::size_t count, std::size_t surface) {
+  const std::size_t flip = std::size_t{1} << surface;
+  for (std::size_t state = 0; state < (std::size_t{1} << count); ++state) {
+    if ((state & flip) == 0 && bit(table, state) != bit(table, state | flip)) return true;
+  }
+  return false;
+}
+
+// The table over some of the surfaces, those that matter: the others may have any sign.
+std::uint64_t narrowed(std::span<const std::uint64_t> table, std::span<const std::size_t> kept) {
+  std::uint64_t result = 0;
+  for (std::size_t state = 0; state < 64; ++state) {
+    std::size_t wide = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) wide |= ((state >> i) & 1) << kept[i];
+    result |= static_cast<std::uint64_t>(bit(table, wide)) << state;
+  }
+  return result;
+}
+
+}  // namespace
+
+// The value in each state of the surfaces, 64 states a word: surface i is positive in states with bit i.
+std::vector<std::uint64_t> CellBuilder::table_of(const Formula& formula, std::span<const SurfaceId> surfaces) {
+  const std::size_t words = surfaces.size() <= 6 ? 1 : std::size_t{1} << (surfaces.size() - 6);
+  std::vector<std::uint64_t> table(words);
+  for (std::size_t word = 0; word < words; ++word) {
+    table[word] = value_(formula.terms, [&](const Term& term) {
+      const auto at = std::find(surfaces.begin(), surfaces.end(), term.surface());
+      const auto i = static_cast<std::size_t>(at - surfaces.begin());
+      const std::uint64_t positive = i < 6 ? variable[i] : ((word >> (i - 6)) & 1) != 0 ? ~std::uint64_t{0} : 0;
+      return term.wants_positive() ? positive : ~positive;
+    });
+  }
+  return table;
+}
+
+// Leaves out the surfaces that do not matter; false if too many do for a table.
+bool CellBuilder::add_table(const Formula& formula, std::vector<SurfaceId>& surfaces, Cell& cell) {
+  if (surfaces.size() > most_tabled) return false;
+  const std::vector<std::uint64_t> table = table_of(formula, surfaces);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (matters(table, surfaces.size(), i)) kept.push_back(i);
+  }
+  if (kept.size() > Cell::table_slots) return false;
+  cell.table = narrowed(table, kept);
+  std::vector<SurfaceId> that_matter;
+  for (const std::size_t i : kept) that_matter.push_back(surfaces[i]);
+  surfaces = std::move(that_matter);
+  return true;
+}
+
+// The formula in postfix order, a leaf a step.
+void CellBuilder::add_steps(const Formula& formula, Cell& cell) {
+  struct Open {
+    std::size_t end;
+    std::size_t operands;
+    Step::Op op;
+  };
+  static constexpr std::array op_of{Step::Op::unite, Step::Op::intersect, Step::Op::subtract, Step::Op::complement};
+  cell.first_step = static_cast<std::uint32_t>(data_.steps.size());
+  std::vector<Open> open;
+  std::size_t height = 0;  // operands that wait for another
+  for (std::size_t i = 0; i < formula.terms.size();) {
+    const Term& term = formula.terms[i];
+    if (term.op != Term::Op::leaf) {
+      open.push_back({i + term.size, 0, op_of[static_cast<std::size_t>(term.op)]});
+      ++i;
+      continue;
+    }
+    Step leaf;
+    for (const Term& side : std::span(formula.terms).subspan(i + 1, term.size - 1)) {
+      const std::uint64_t slot = std::uint64_t{1} << slot_of_surface_[side.surface().index()];
+      leaf.mask |= slot;
+      if (side.wants_positive()) leaf.want |= slot;
+    }
+    data_.steps.push_back(leaf);
+    if (++height > Cell::most_operands) cell.is_undecided = true;
+    i += term.size;
+    while (!open.empty()) {
+      Open& above = open.back();
+      const bool joins = above.op == Step::Op::complement || above.operands > 0;
+      if (joins) data_.steps.push_back({above.op, 0, 0});
+      if (above.operands > 0) --height;
+      ++above.operands;
+      if (above.end != i) break;
+      open.pop_back();
+    }
+  }
+  const std::size_t count = data_.steps.size() - cell.first_step;
+  if (count > 0xffff) cell.is_undecided = true;
+  cell.step_count = static_cast<std::uint16_t>(count);
+}
+
+double CellBuilder::add_cell(const Formula& formula) {
+  const auto end_at = [&](std::size_t cell) {
+    data_.nodes.push_back({0, static_cast<std::uint32_t>(cell), CellNode::no_axis});
+  };
+  if (formula.is_constant()) {
+    end_at(formula.value ? 1 : 0);
+    return cost_of_cell(0);
+  }
+  std::vector<SurfaceId> surfaces;
+  gather_surfaces(formula, surfaces);
+  std::sort(surfaces.begin(), surfaces.end(), [&](SurfaceId a, SurfaceId b) {
+    const auto kind_a = data_.surfaces[a.index()].kind;
+    const auto kind_b = data_.surfaces[b.index()].kind;
+    return kind_a != kind_b ? kind_a < kind_b : a < b;
+  });
+  Cell cell;
+  const bool has_table = add_table(formula, surfaces, cell);
+  if (surfaces.empty()) {
+    end_at(cell.table != 0 ? 1 : 0);
+    return cost_of_cell(0);
+  }
+  cell.is_undecided =
+      is_outside_ || surfaces.size() > Cell::most_slots || std::any_of(surfaces.begin(), surfaces.end(), [&](SurfaceId id) {
+        return data_.surfaces[id.index()].kind == LaneSurface::Kind::undecided;
+      });
+  if (!cell.is_undecided) {
+    add_slots(formula, surfaces, cell);
+    if (!has_table) add_steps(formula, cell);
+  }
+  end_at(data_.cells.size());
+  data_.cells.push_back(cell);
+  return cost_of_cell(surfaces.size());
+}
+
+void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> surfaces, Cell& cell) {
+  cell.first_slot = static_cast<std::uint32_t>(data_.slots.size());
+  cell.slot_count = static_cast<std::uint8_t>(surfaces.size());
+  slot_of_surface_.resize(scene_.surfaces().size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
+    data_.slots.push_back(slot_of(formula, surfaces[i]));
+  }
+}
+
+// What a leaf's faces show, if that is the same everywhere in the cell. Of a cut it is the look of the first leaf that
+// holds the place: one of the same region if no other region has a part in the cell.
+LookId CellBuilder::face_look(const Leaf& leaf, bool one_region) const {
+  if (!leaf.shows_cut) return leaf.look;
+  const bool is_even = one_region && leaf.region.valid() && even_look_[leaf.region.index()] != 0;
+  return is_even ? scene_.region(leaf.region).look : LookId();
+}
+
+Slot CellBuilder::slot_of(const Formula& formula, SurfaceId surface) const {
+  Slot slot;
+  slot.surface = surface.index();
+  bool one_region = true;
+  RegionId region;
+  for (const Term& term : formula.terms) {
+    if (term.op != Term::Op::leaf) continue;
+    const RegionId of_leaf = scene_.leaf(LeafId(term.what)).region;
+    one_region = one_region && (!region.valid() || region == of_leaf);
+    region = of_leaf;
+  }
+  std::size_t owners = 0;
+  bool one_look = true;
+  for (std::size_t i = 0; i < formula.terms.size(); ++i) {
+    const Term& term = formula.terms[i];
+    if (term.op != Term::Op::leaf) continue;
+    const auto sides = std::span(formula.terms).subspan(i + 1, term.size - 1);
+    if (std::none_of(sides.begin(), sides.end(), [&](const Term& side) { return side.surface() == surface; })) continue;
+    const LookId look = face_look(scene_.leaf(LeafId(term.what)), one_region);
+    one_look = one_look && (owners == 0 || look == slot.look) && look.valid();
+    slot.look = look;
+    slot.leaf = LeafId(term.what);
+    ++owners;
+  }
+  if (owners != 1) slot.leaf = {};
+  if (!one_look) slot.look = {};
+  return slot;
+}
+
+}  // namespace csgcast::detail

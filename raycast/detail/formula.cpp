@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/detail/formula.h"
+
+#include <optional>
+
+namespace csgcast::detail {
+namespace {
+
+// Lays out a scene's tree, node by node.
+class Layout {
+ public:
+  Layout(const Scene& scene, Formula& formula) : scene_(scene), formula_(formula) {}
+
+  void run(NodeId root) {
+    visit(root);
+    while (!frames_.empty()) {
+      Frame& frame = frames_.back();
+      if (frame.next < frame.children.size()) {
+        visit(frame.children[frame.next++]);
+        continue;
+      }
+      Term& term = formula_.terms[frame.start];
+      term.size = static_cast<std::uint32_t>(formula_.terms.size()) - frame.start;
+      frames_.pop_back();
+    }
+  }
+
+ private:
+  struct Frame {
+    std::span<const NodeId> children;
+    std::size_t next;
+    std::uint32_t start;
+  };
+
+  static Term::Op op_of(Node::Op op) {
+    switch (op) {
+      case Node::Op::intersect:
+        return Term::Op::intersect;
+      case Node::Op::subtract:
+        return Term::Op::subtract;
+      case Node::Op::complement:
+        return Term::Op::complement;
+      default:
+        return Term::Op::unite;
+    }
+  }
+
+  void visit(NodeId id) {
+    const Node& node = scene_.node(id);
+    const auto start = static_cast<std::uint32_t>(formula_.terms.size());
+    if (node.op == Node::Op::leaf) {
+      const auto half_spaces = scene_.half_spaces(scene_.leaf(LeafId(node.first)));
+      formula_.terms.push_back({static_cast<std::uint32_t>(half_spaces.size()) + 1, node.first, Term::Op::leaf});
+      for (const HalfSpace& half_space : half_spaces) {
+        const std::uint32_t side = half_space.sense == Sense::positive ? 1 : 0;
+        formula_.terms.push_back({1, 2 * half_space.surface.index() + side, Term::Op::half_space});
+      }
+      return;
+    }
+    // An operator without operands: a union of none is empty, an intersection of none everything.
+    const Term::Op op = node.op == Node::Op::everything ? Term::Op::intersect : op_of(node.op);
+    formula_.terms.push_back({1, 0, op});
+    const bool is_constant = node.op == Node::Op::empty || node.op == Node::Op::everything;
+    if (!is_constant) frames_.push_back({scene_.children(node), 0, start});
+  }
+
+  const Scene& scene_;
+  Formula& formula_;
+  std::vector<Frame> frames_;
+};
+
+}  // namespace
+
+Formula formula_of(const Scene& scene, NodeId node) {
+  Formula whole;
+  Layout(scene, whole).run(node);
+  Formula folded;
+  Folder().fold(
+      whole, folded, [](LeafId) { return Known::open; }, [](const Term&) { return Known::open; });
+  return folded;
+}
+
+void Folder::begin(const Formula& from, Formula& result) {
+  result_ = &result;
+  result.terms.clear();
+  result.value = from.value;
+  frames_.clear();
+  at_ = 0;
+  done_ = false;
+}
+
+void Folder::open(const Term& term) {
+  const auto start = static_cast<std::uint32_t>(result_->terms.size());
+  const bool associates = term.op == Term::Op::unite || term.op == Term::Op::intersect;
+  const bool is_merged = associates && !frames_.empty() && frames_.back().op == term.op;
+  if (!is_merged) result_->terms.push_back(term);
+  frames_.push_back({static_cast<std::uint32_t>(at_) + term.size, start, 0, 0, term.op, is_merged});
+  ++at_;
+}
+
+void Folder::deliver(Known value, const Term& term) {
+  if (value != Known::open) return settle(value == Known::yes);
+  result_->terms.push_back(term);
+  keep();
+}
+
+// An operand of the operator on top stays.
+void Folder::keep() {
+  if (frames_.empty()) return;
+  ++frames_.back().kept;
+  ++frames_.back().seen;
+}
+
+// An operand of the operator on top is constant; maybe the operator is, then.
+void Folder::settle(bool value) {
+  while (!frames_.empty()) {
+    Frame& frame = frames_.back();
+    bool absorbs = true;
+    switch (frame.op) {
+      case Term::Op::unite:
+        absorbs = value;
+        break;
+      case Term::Op::complement:
+        value = !value;
+        break;
+      case Term::Op::subtract:
+        absorbs = (frame.seen == 0) != value;
+        if (!absorbs && frame.seen == 0) {
+          frame.op = Term::Op::complement;  // everything less the second operand
+          result_->terms[frame.start].op = Term::Op::complement;
+        }
+        if (absorbs) value = false;
+        break;
+      default:
+        absorbs = !value;
+    }
+    if (!absorbs) {
+      ++frame.seen;
+      return;
+    }
+    result_->terms.resize(frame.start);
+    at_ = frame.end;
+    frames_.pop_back();
+  }
+  result_->value = value;
+  done_ = true;
+}
+
+void Folder::close_finished() {
+  while (!frames_.empty() && frames_.back().end == at_) {
+    const Frame frame = frames_.back();
+    frames_.pop_back();
+    close(frame);
+    if (done_) return;
+  }
+}
+
+void Folder::close(const Frame& frame) {
+  if (frame.is_merged) {
+    frames_.back().kept += frame.kept;
+    ++frames_.back().seen;
+    return;
+  }
+  std::vector<Term>& terms = result_->terms;
+  if (frame.kept == 0) {
+    terms.resize(frame.start);
+    return settle(frame.op != Term::Op::unite);
+  }
+  const bool is_plain = frame.kept == 1 && frame.op != Term::Op::leaf && frame.op != Term::Op::complement;
+  if (is_plain) {
+    // One operand left: it stands for the operator.
+    terms.erase(terms.begin() + frame.start);
+  } else {
+    terms[frame.start].size = static_cast<std::uint32_t>(terms.size()) - frame.start;
+  }
+  keep();
+}
+
+}  // namespace csgcast::detail

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+// Where lines cross the surfaces of a cell, a ray a lane, and which lanes know too little. Bounds: docs/accuracy.md,
+// "Lanes". Compiled once for each instruction set; included by lanes.cpp only.
+#if defined(CSGCAST_LANE_EVENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CSGCAST_LANE_EVENTS_INL_H
+#undef CSGCAST_LANE_EVENTS_INL_H
+#else
+#define CSGCAST_LANE_EVENTS_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace csgcast::detail {
+namespace HWY_NAMESPACE {
+
+/// The crossings of the surfaces of one cell. A surface is positive after an even number of its two events, if it was
+/// before them.
+template <class D>
+struct Events {
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  V first[Cell::most_slots];
+  V second[Cell::most_slots];
+  M positive_before[Cell::most_slots];
+  V slack;    ///< four times what any of them is off
+  M flagged;  ///< lanes that know too little
+};
+
+/// The surface that each ray departs from.
+template <class D>
+struct Departures {
+  hn::Mask<D> positive;
+  std::uint32_t surface[16];
+};
+
+template <class D>
+HWY_INLINE hn::Mask<D> departing_from(D d, const Departures<D>& departures, std::uint32_t surface) {
+  const BitsOf<D> bits;
+  HWY_ALIGN std::uint64_t match[16];
+  for (std::size_t i = 0; i < hn::Lanes(d); ++i) match[i] = departures.surface[i] == surface ? 1 : 0;
+  return hn::RebindMask(d, hn::Ne(hn::Load(bits, match), hn::Zero(bits)));
+}
+
+template <class D>
+HWY_INLINE void flag(Events<D>& events, hn::Mask<D> lanes) {
+  events.flagged = hn::Or(events.flagged, lanes);
+}
+
+/// A plane square to an axis of the frame.
+template <class D>
+HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const LaneSurface& plane, std::size_t axis,
+                                  std::size_t i, Events<D>& events) {
+  using V = hn::Vec<D>;
+  const V near = axis == 0 ? line.near.x : axis == 1 ? line.near.y : line.near.z;
+  const V gap = hn::Sub(hn::Set(d, plane.c[0]), near);
+  events.first[i] = hn::Mul(gap, line.axis_inverse[axis]);
+  events.second[i] = hn::Inf(d);
+  events.positive_before[i] = plane.c[1] > 0 ? line.is_negative[axis] : hn::Not(line.is_negative[axis]);
+  flag(events, hn::Lt(hn::Abs(gap), line.guard[axis]));
+}
+
+/// Of the surface that they depart from, lanes see nothing but what lies ahead: of a plane the side that the slope
+/// tells.
+template <class D>
+HWY_INLINE void depart_from_axis_plane(D d, const LineLanes<D>& line, std::size_t axis, hn::Mask<D> lanes,
+                                       std::size_t i, Events<D>& events) {
+  events.first[i] = hn::IfThenElse(lanes, hn::Neg(hn::Inf(d)), events.first[i]);
+  flag(events, hn::And(lanes, hn::Gt(hn::Abs(line.axis_inverse[axis]), hn::Set(d, 0x1p40))));
+}
+
+template <class D>
+HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const LaneSurface& plane, hn::Mask<D> departing,
+                             std::size_t i, Events<D>& events) {
+  using V = hn::Vec<D>;
+  const Triples<V> n{hn::Set(d, plane.c[0]), hn::Set(d, plane.c[1]), hn::Set(d, plane.c[2])};
+  const V slope = dot(n, line.direction);
+  const V value = hn::Add(dot(n, line.near), hn::Set(d, plane.c[3]));
+  const V size = hn::Abs(slope);
+  const V tiny = hn::Set(d, 1e-250);
+  const V inverse = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(hn::Lt(size, tiny), tiny, slope));
+  const V at = hn::Neg(hn::Mul(value, inverse));
+  const V off = hn::Mul(hn::Set(d, plane.c[4]), hn::Abs(inverse));
+  const auto is_loose = hn::Gt(off, hn::Set(d, greatest_slack));
+  events.slack = hn::Max(events.slack, hn::IfThenZeroElse(is_loose, off));
+  const V out_of_reach = hn::Add(hn::Set(d, plane.c[5]), hn::Mul(hn::Set(d, 8.5), size));
+  const auto is_open = hn::Or(hn::Lt(hn::Abs(value), out_of_reach), departing);
+  flag(events, hn::And(is_loose, is_open));
+  events.first[i] = hn::IfThenElse(departing, hn::Neg(hn::Inf(d)), at);
+  events.second[i] = hn::Inf(d);
+  events.positive_before[i] = hn::Lt(slope, hn::Zero(d));
+}
+
+/// Slack that covers every sphere whose discriminant is above its threshold.
+constexpr double sphere_slack = 0x1p-37;
+
+template <class D>
+HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& sphere, hn::Mask<D> departing,
+                              const Departures<D>* departures, std::size_t i, Events<D>& events) {
+  using V = hn::Vec<D>;
+  const Triples<V> v{hn::Sub(line.near.x, hn::Set(d, sphere.c[0])), hn::Sub(line.near.y, hn::Set(d, sphere.c[1])),
+                     hn::Sub(line.near.z, hn::Set(d, sphere.c[2]))};
+  const V middle = hn::Mul(hn::Neg(dot(v, line.direction)), line.inverse_squared);
+  const Triples<V> closest{hn::MulAdd(middle, line.direction.x, v.x), hn::MulAdd(middle, line.direction.y, v.y),
+                           hn::MulAdd(middle, line.direction.z, v.z)};
+  const V discriminant = hn::Sub(hn::Set(d, sphere.c[3]), dot(closest, closest));
+  const auto misses = hn::Lt(discriminant, hn::Zero(d));
+  const V half = hn::Sqrt(hn::Mul(hn::Max(discriminant, hn::Zero(d)), line.inverse_squared));
+  const V never = hn::Inf(d);
+  events.first[i] = hn::IfThenElse(misses, never, hn::Sub(middle, half));
+  events.second[i] = hn::IfThenElse(misses, never, hn::Add(middle, half));
+  const bool outside_is_positive = sphere.c[5] > 0;
+  events.positive_before[i] = outside_is_positive ? hn::Eq(middle, middle) : hn::Ne(middle, middle);
+  const auto is_open = hn::Le(hn::Abs(discriminant), hn::Set(d, sphere.c[4]));
+  events.slack = hn::Max(events.slack, hn::Set(d, sphere_slack));
+  if (departures == nullptr) return flag(events, is_open);
+  // A departing ray has no event at its start; inwards it has one at the mirror image of the start.
+  flag(events, hn::AndNot(departing, is_open));
+  const auto outwards = outside_is_positive ? departures->positive : hn::Not(departures->positive);
+  const V other = hn::Sub(hn::Add(middle, middle), line.start);
+  const V before = hn::Neg(never);
+  events.first[i] = hn::IfThenElse(departing, before, events.first[i]);
+  events.second[i] = hn::IfThenElse(departing, hn::IfThenElse(outwards, before, other), events.second[i]);
+  const auto too_near = hn::Lt(hn::Sub(other, line.start), hn::Set(d, 2 * sphere_slack));
+  flag(events, hn::AndNot(outwards, hn::And(departing, too_near)));
+}
+
+/// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin; the operations of quadric_line.h.
+template <class D>
+struct QuadraticLanes {
+  using V = hn::Vec<D>;
+  V a, b, c, origin;
+  Triples<V> start, q;
+};
+
+template <class D, class Coefficients>
+HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Coefficients& k, const Vector& center) {
+  using V = hn::Vec<D>;
+  using Form = QuadricForm;
+  const auto c = [&](std::size_t term) { return hn::Set(d, k[term]); };
+  const V half = hn::Set(d, 0.5);
+  const auto times_matrix = [&](const Triples<V>& v) {
+    const auto row = [&](Form::Term own, V x, Form::Term m1, V y, Form::Term m2, V z) {
+      return hn::Add(hn::Mul(c(own), x), hn::Mul(half, hn::Add(hn::Mul(c(m1), y), hn::Mul(c(m2), z))));
+    };
+    return Triples<V>{row(Form::xx, v.x, Form::xy, v.y, Form::xz, v.z),
+                      row(Form::yy, v.y, Form::xy, v.x, Form::yz, v.z),
+                      row(Form::zz, v.z, Form::xz, v.x, Form::yz, v.y)};
+  };
+  QuadraticLanes<D> f;
+  f.start = {hn::Sub(line.near.x, hn::Set(d, center.x)), hn::Sub(line.near.y, hn::Set(d, center.y)),
+             hn::Sub(line.near.z, hn::Set(d, center.z))};
+  f.origin = hn::Mul(hn::Neg(dot(f.start, line.direction)), line.inverse_squared);
+  f.q = {hn::Add(f.start.x, hn::Mul(f.origin, line.direction.x)),
+         hn::Add(f.start.y, hn::Mul(f.origin, line.direction.y)),
+         hn::Add(f.start.z, hn::Mul(f.origin, line.direction.z))};
+  const Triples<V> linear{c(Form::x), c(Form::y), c(Form::z)};
+  const Triples<V> image = times_matrix(line.direction);
+  f.a = dot(line.direction, image);
+  f.b = hn::Add(dot(f.q, image), hn::Mul(half, dot(linear, line.direction)));
+  f.c = hn::Add(hn::Add(dot(f.q, times_matrix(f.q)), dot(linear, f.q)), c(Form::one));
+  return f;
+}
+
+/// Any quadric, with running errors: line_filter.cpp in lanes.
+template <class D>
+HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface& quadric, hn::Mask<D> departing,
+                               const Departures<D>* departures, std::size_t i, Events<D>& events) {
+  using V = hn::Vec<D>;
+  const QuadraticLanes<D> f =
+      quadratic(d, line, quadric.c, Vector{quadric.center[0], quadric.center[1], quadric.center[2]});
+  const auto set = [&](double value) { return hn::Set(d, value); };
+  constexpr double u = 0x1p-53 * (1 + 0x1p-20);  // with room for the rounding of the bounds
+  const V size = longest(f.q);
+  const V e = set(2.0);
+  const V off = hn::MulAdd(set(u), hn::MulAdd(set(3.0), longest(f.start), size), hn::Mul(line.near_error, set(1.001)));
+  const V bend = set(quadric.second_degree);
+  const V slope = hn::MulAdd(bend, size, set(quadric.first_degree));
+  const V error_a = set(32 * u * quadric.second_degree);
+  const V error_b = hn::Mul(hn::MulAdd(set(9 * u), slope, hn::Mul(bend, off)), e);
+  const V value_size = hn::MulAdd(slope, size, set(quadric.constant));
+  const V error_c = hn::MulAdd(hn::Add(hn::MulAdd(bend, size, slope), hn::Mul(bend, off)), off,
+                               hn::Mul(set(11 * u), value_size));
+  const V abs_a = hn::Abs(f.a), abs_b = hn::Abs(f.b), abs_c = hn::Abs(f.c);
+  const V bb = hn::Mul(f.b, f.b);
+  const V ac = hn::Mul(f.a, f.c);
+  const V discriminant = hn::Sub(bb, ac);
+  const V d_error = hn::Add(
+      hn::Add(hn::Mul(hn::MulAdd(set(2.0), abs_b, error_b), error_b), hn::Mul(abs_a, error_c)),
+      hn::MulAdd(error_a, hn::Add(abs_c, error_c), hn::Mul(set(3 * u), hn::Add(bb, hn::Abs(ac)))));
+  const V zero = hn::Zero(d);
+  const V safe = hn::Max(discriminant, d_error);
+  const V root = hn::Sqrt(safe);
+  const auto falls = hn::Lt(f.b, zero);
+  const V sum = hn::IfThenElse(falls, hn::Sub(root, f.b), hn::Neg(hn::Add(f.b, root)));
+  const V abs_sum = hn::Abs(sum);
+  const V sum_error = hn::Add(error_b, hn::MulAdd(set(2 * u), abs_sum, hn::Div(d_error, root)));
+  const V at_near = hn::Div(f.c, sum);
+  const V at_far = hn::Div(sum, f.a);
+  const V near_off = hn::Div(hn::MulAdd(hn::Abs(at_near), sum_error, error_c), abs_sum);
+  const V far_off = hn::Div(hn::MulAdd(hn::Abs(at_far), error_a, sum_error), abs_a);
+  // Beyond 4 from the closest approach nothing can matter.
+  const V reach = set(4.0);
+  const auto far_is_out = hn::Gt(hn::Sub(abs_sum, sum_error), hn::Mul(set(4.01), hn::Add(abs_a, error_a)));
+  // Four times twice the quotients' first-order errors; roundings of origin and sums below 16 u each.
+  const V spread = hn::Max(near_off, hn::IfThenZeroElse(far_is_out, far_off));
+  const V slack = hn::MulAdd(set(8.0), spread, set(256 * u));
+  const auto none_in_reach = hn::Gt(
+      hn::Sub(abs_c, error_c),
+      hn::Mul(hn::Mul(hn::MulAdd(hn::Add(abs_a, error_a), reach, hn::Mul(set(2.0), hn::Add(abs_b, error_b))), reach),
+              set(1.001)));
+  const auto surely_misses = hn::And(hn::Lt(discriminant, hn::Neg(d_error)), hn::Gt(hn::Max(hn::Sub(abs_a, error_a), hn::Sub(abs_c, error_c)), zero));
+  const auto has_none = hn::Or(surely_misses, none_in_reach);
+  const auto is_sound =
+      hn::And(hn::And(hn::Gt(discriminant, d_error), hn::Gt(abs_sum, hn::Mul(set(2.0), sum_error))),
+              hn::And(hn::Le(slack, set(greatest_slack)),
+                      hn::Or(far_is_out, hn::Gt(abs_a, hn::Mul(set(2.0), error_a)))));
+  const V never = hn::Inf(d);
+  const V near_tau = hn::Add(f.origin, at_near);
+  const V far_tau = hn::Add(f.origin, at_far);
+  const V lower = hn::IfThenElse(far_is_out, near_tau, hn::Min(near_tau, far_tau));
+  const V upper = hn::IfThenElse(far_is_out, never, hn::Max(near_tau, far_tau));
+  events.first[i] = hn::IfThenElse(has_none, never, lower);
+  events.second[i] = hn::IfThenElse(has_none, never, upper);
+  const auto a_is_positive = hn::Gt(f.a, zero);
+  const auto c_is_positive = hn::Gt(f.c, zero);
+  const auto certain_a = hn::Gt(abs_a, error_a);
+  const auto sign_of_none = hn::Or(hn::And(hn::AndNot(none_in_reach, certain_a), a_is_positive),
+                                   hn::AndNot(hn::AndNot(none_in_reach, certain_a), c_is_positive));
+  const auto two = hn::Or(hn::And(far_is_out, falls), hn::AndNot(far_is_out, a_is_positive));
+  events.positive_before[i] = hn::Or(hn::And(has_none, sign_of_none), hn::AndNot(has_none, two));
+  const auto is_open = hn::AndNot(has_none, hn::Not(is_sound));
+  if (departures == nullptr) {
+    events.slack = hn::Max(events.slack, hn::IfThenElseZero(hn::AndNot(has_none, is_sound), slack));
+    return flag(events, is_open);
+  }
+  events.slack = hn::Max(events.slack, hn::IfThenElseZero(hn::AndNot(departing, hn::AndNot(has_none, is_sound)), slack));
+  flag(events, hn::AndNot(departing, is_open));
+  // From the closest approach, where f' = 2 b, the two roots lie as far apart on either side of -b / a.
+  const V ratio = hn::Div(f.b, f.a);
+  const V middle = hn::Sub(f.origin, ratio);
+  const V other = hn::Sub(hn::Add(middle, middle), line.start);
+  const V ratio_off = hn::Div(hn::MulAdd(hn::Abs(ratio), error_a, error_b), abs_a);
+  const V other_slack = hn::MulAdd(set(16.0), ratio_off, set(512 * u));
+  const auto leaves = hn::Or(hn::And(a_is_positive, departures->positive),
+                             hn::AndNot(a_is_positive, hn::Not(departures->positive)));
+  const auto comes_back = hn::AndNot(leaves, departing);
+  const auto too_near = hn::Or(hn::Gt(other_slack, set(greatest_slack)),
+                               hn::Lt(hn::Sub(other, line.start), set(2 * greatest_slack)));
+  flag(events, hn::And(departing, hn::Not(certain_a)));
+  flag(events, hn::And(comes_back, too_near));
+  events.slack = hn::Max(events.slack, hn::IfThenElseZero(comes_back, other_slack));
+  const V before = hn::Neg(never);
+  events.first[i] = hn::IfThenElse(departing, before, events.first[i]);
+  events.second[i] = hn::IfThenElse(departing, hn::IfThenElse(leaves, before, other), events.second[i]);
+  events.positive_before[i] =
+      hn::Or(hn::And(departing, a_is_positive), hn::AndNot(departing, events.positive_before[i]));
+}
+
+/// The events of all surfaces of a cell.
+template <class D>
+HWY_INLINE void cell_events(D d, const LineLanes<D>& line, const CellData& cells, const Cell& cell,
+                            const Departures<D>* departures, Events<D>& events) {
+  using Kind = LaneSurface::Kind;
+  const auto nobody = hn::Ne(line.start, line.start);
+  events.slack = line.slack;
+  events.flagged = nobody;
+  for (std::size_t i = 0; i < cell.slot_count; ++i) {
+    const std::uint32_t id = cells.slots[cell.first_slot + i].surface;
+    const LaneSurface& surface = cells.surfaces[id];
+    const auto departing = departures != nullptr ? departing_from(d, *departures, id) : nobody;
+    switch (surface.kind) {
+      case Kind::plane_x:
+      case Kind::plane_y:
+      case Kind::plane_z: {
+        const auto axis = static_cast<std::size_t>(surface.kind);
+        axis_plane_events(d, line, surface, axis, i, events);
+        if (departures != nullptr) depart_from_axis_plane(d, line, axis, departing, i, events);
+        break;
+      }
+      case Kind::plane:
+        plane_events(d, line, surface, departing, i, events);
+        break;
+      case Kind::sphere:
+        sphere_events(d, line, surface, departing, departures, i, events);
+        break;
+      default:
+        quadric_events(d, line, surface, departing, departures, i, events);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace csgcast::detail
+HWY_AFTER_NAMESPACE();
+#endif

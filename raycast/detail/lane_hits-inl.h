@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// What is told of hits, a ray a lane: t, place and normal, by the operations of the scalar code in the same order, so
+// that numbers do not depend on how a hit was found. Compiled once for each instruction set; included by lanes.cpp only.
+#if defined(CSGCAST_LANE_HITS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CSGCAST_LANE_HITS_INL_H
+#undef CSGCAST_LANE_HITS_INL_H
+#else
+#define CSGCAST_LANE_HITS_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace csgcast::detail {
+namespace HWY_NAMESPACE {
+
+/// tau of the crossing at which the surface rises or falls, as filtered_plane and filtered_quadric give it
+/// (line_filter.cpp). Precondition: that they are certain, which they are where lanes were.
+template <class D>
+HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> rises) {
+  using V = hn::Vec<D>;
+  using Form = QuadricForm;
+  const auto& k = surface.local;
+  if (surface.kind == SurfaceKind::plane) {
+    const Triples<V> normal{hn::Set(d, k[Form::x]), hn::Set(d, k[Form::y]), hn::Set(d, k[Form::z])};
+    const V value = hn::Add(dot(normal, line.near), hn::Set(d, k[Form::one]));
+    return hn::Div(hn::Neg(value), dot(normal, line.direction));
+  }
+  const QuadraticLanes<D> f = quadratic(d, line, k, surface.center);
+  const V zero = hn::Zero(d);
+  const V root = hn::Sqrt(hn::Sub(hn::Mul(f.b, f.b), hn::Mul(f.a, f.c)));
+  const V sum = hn::Neg(hn::Add(f.b, hn::CopySign(root, f.b)));
+  const V near = hn::Add(f.origin, hn::Div(f.c, sum));
+  const V far = hn::Add(f.origin, hn::Div(sum, f.a));
+  // Two crossings if the sign of a is certain; else the near one is the only one.
+  const V e = longest(line.direction);
+  const V a_error = hn::Mul(hn::Mul(hn::Mul(hn::Set(d, 8 * 0x1p-53 * surface.second_degree), e), e),
+                            hn::Set(d, 1 + 0x1p-40));
+  const auto has_two = hn::Lt(hn::Add(a_error, a_error), hn::Abs(f.a));
+  const auto second = hn::Not(hn::Xor(rises, hn::Gt(f.a, zero)));
+  const V of_two = hn::IfThenElse(second, hn::Max(near, far), hn::Min(near, far));
+  return hn::IfThenElse(has_two, of_two, near);
+}
+
+/// Unit vectors as normalised() makes them. Zero where a vector is zero or out of range.
+template <class D>
+HWY_INLINE Triples<hn::Vec<D>> normalised_lanes(D d, const Triples<hn::Vec<D>>& v) {
+  using V = hn::Vec<D>;
+  const BitsOf<D> bits;
+  const V largest = longest(v);
+  const V scale = power_of_biased(d, hn::Sub(hn::Set(bits, 2046u), biased_exponent(d, largest)));
+  const Triples<V> scaled{hn::Mul(v.x, scale), hn::Mul(v.y, scale), hn::Mul(v.z, scale)};
+  const V inverse = hn::Div(hn::Set(d, 1.0), hn::Sqrt(dot(scaled, scaled)));
+  const auto usable = hn::And(hn::Gt(largest, hn::Set(d, 0x1p-1000)), hn::Lt(largest, hn::Set(d, 0x1p1000)));
+  const auto result = [&](V s) { return hn::IfThenElseZero(usable, hn::Mul(inverse, s)); };
+  return {result(scaled.x), result(scaled.y), result(scaled.z)};
+}
+
+template <class D>
+HWY_INLINE Triples<hn::Vec<D>> place_of(D d, const LineLanes<D>& line, const Frame& frame, hn::Vec<D> tau) {
+  using V = hn::Vec<D>;
+  const V unit = hn::Set(d, std::ldexp(1.0, frame.exponent));
+  const auto along = [&](V near, V low, V direction, double center) {
+    const V q = hn::Add(near, hn::Add(low, hn::Mul(tau, direction)));
+    return hn::Add(hn::Set(d, center), hn::Mul(q, unit));
+  };
+  return {along(line.near.x, line.low.x, line.direction.x, frame.center.x),
+          along(line.near.y, line.low.y, line.direction.y, frame.center.y),
+          along(line.near.z, line.low.z, line.direction.z, frame.center.z)};
+}
+
+/// The surface's gradient at a place, unit: gradient() and normalised().
+template <class D>
+HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const Frame& frame,
+                                             const Triples<hn::Vec<D>>& p) {
+  using V = hn::Vec<D>;
+  using Form = QuadricForm;
+  const auto c = [&](std::size_t term) { return hn::Set(d, surface.local[term]); };
+  if (surface.kind == SurfaceKind::plane) return normalised_lanes(d, Triples<V>{c(Form::x), c(Form::y), c(Form::z)});
+  const V to_frame = hn::Set(d, std::ldexp(1.0, -frame.exponent));
+  const auto local = [&](V x, double center, double own) {
+    return hn::Sub(hn::Mul(hn::Sub(x, hn::Set(d, center)), to_frame), hn::Set(d, own));
+  };
+  const Triples<V> q{local(p.x, frame.center.x, surface.center.x), local(p.y, frame.center.y, surface.center.y),
+                     local(p.z, frame.center.z, surface.center.z)};
+  const V two = hn::Set(d, 2.0);
+  const auto row = [&](Form::Term own, V x, Form::Term m1, V y, Form::Term m2, V z, Form::Term linear) {
+    return hn::Add(hn::Add(hn::Add(hn::Mul(hn::Mul(two, c(own)), x), hn::Mul(c(m1), y)), hn::Mul(c(m2), z)),
+                   c(linear));
+  };
+  return normalised_lanes(d, Triples<V>{row(Form::xx, q.x, Form::xy, q.y, Form::xz, q.z, Form::x),
+                                        row(Form::yy, q.y, Form::xy, q.x, Form::yz, q.z, Form::y),
+                                        row(Form::zz, q.z, Form::xz, q.x, Form::yz, q.y, Form::z)});
+}
+
+/// t, places and normals of the hits of one packet, surface by surface. Returns the lanes that need the scalar code:
+/// those without a gradient.
+template <class D>
+HWY_INLINE hn::Mask<D> tell_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
+                                 hn::Mask<D> hits, const std::uint64_t* slots, hn::Mask<D> rises, hn::Mask<D> enters,
+                                 bool wants_faces, hn::Vec<D>& t, Triples<hn::Vec<D>>& place,
+                                 Triples<hn::Vec<D>>& normal) {
+  using V = hn::Vec<D>;
+  const BitsOf<D> bits;
+  HWY_ALIGN std::uint64_t ids[16];
+  for (std::size_t i = 0; i < hn::Lanes(d); ++i) ids[i] = cells.slots[slots[i]].surface;
+  const auto surface_of = hn::Load(bits, ids);
+  V tau = hn::Zero(d);
+  const V zero = hn::Zero(d);
+  normal = {zero, zero, zero};
+  place = {zero, zero, zero};
+  for (auto rest = hits; !hn::AllFalse(d, rest);) {
+    const std::uint64_t id = ids[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
+    const auto same = hn::And(rest, hn::RebindMask(d, hn::Eq(surface_of, hn::Set(bits, id))));
+    rest = hn::AndNot(same, rest);
+    const Surface& surface = scene.surfaces()[id];
+    const V own = crossing_tau(d, line, surface, rises);
+    tau = hn::IfThenElse(same, own, tau);
+    if (!wants_faces) continue;
+    const auto p = place_of(d, line, scene.frame(), own);
+    const auto n = unit_gradient(d, surface, scene.frame(), p);
+    place = {hn::IfThenElse(same, p.x, place.x), hn::IfThenElse(same, p.y, place.y),
+             hn::IfThenElse(same, p.z, place.z)};
+    normal = {hn::IfThenElse(same, n.x, normal.x), hn::IfThenElse(same, n.y, normal.y),
+              hn::IfThenElse(same, n.z, normal.z)};
+  }
+  // The solid's outside is on the positive side where the ray enters and falls, or leaves and rises.
+  const auto outside_is_positive = hn::Xor(enters, rises);
+  const auto turned = [&](V n) { return hn::IfThenElse(outside_is_positive, n, hn::Neg(n)); };
+  t = hn::Mul(hn::Add(line.shift, tau), line.unit);
+  if (!wants_faces) return hn::MaskFromVec(zero);
+  const auto has_no_normal = hn::And(hits, hn::Eq(longest(normal), zero));
+  normal = {turned(normal.x), turned(normal.y), turned(normal.z)};
+  return has_no_normal;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace csgcast::detail
+HWY_AFTER_NAMESPACE();
+#endif

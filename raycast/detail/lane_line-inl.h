@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Lines of many rays in the frame: LineFrame (line_frame.h), a ray a lane, by the same operations in the same order, so
+// that numbers are the same to the last bit. Compiled once for each instruction set; included by lanes.cpp only.
+#if defined(CSGCAST_LANE_LINE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CSGCAST_LANE_LINE_INL_H
+#undef CSGCAST_LANE_LINE_INL_H
+#else
+#define CSGCAST_LANE_LINE_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace csgcast::detail {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+using BitsOf = hn::RebindToUnsigned<D>;
+
+template <class V>
+struct Triples {
+  V x, y, z;
+};
+
+template <class V>
+HWY_INLINE V dot(const Triples<V>& a, const Triples<V>& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+template <class V>
+HWY_INLINE V longest(const Triples<V>& a) {
+  return hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
+}
+
+template <class D>
+HWY_INLINE hn::Vec<BitsOf<D>> biased_exponent(D d, hn::Vec<D> v) {
+  const BitsOf<D> bits;
+  return hn::And(hn::ShiftRight<52>(hn::BitCast(bits, v)), hn::Set(bits, 0x7ffu));
+}
+
+/// 2^(n - 1023) for normal results.
+template <class D>
+HWY_INLINE hn::Vec<D> power_of_biased(D d, hn::Vec<BitsOf<D>> n) {
+  return hn::BitCast(d, hn::ShiftLeft<52>(n));
+}
+
+template <class V>
+struct Exact {
+  V high, low;
+};
+
+/// Knuth's exact sum.
+template <class V>
+HWY_INLINE Exact<V> two_sum(V a, V b) {
+  const V sum = hn::Add(a, b);
+  const V b_part = hn::Sub(sum, a);
+  const V a_part = hn::Sub(sum, b_part);
+  return {sum, hn::Add(hn::Sub(a, a_part), hn::Sub(b, b_part))};
+}
+
+template <class V>
+HWY_INLINE Exact<V> fast_two_sum(V a, V b) {
+  const V sum = hn::Add(a, b);
+  return {sum, hn::Sub(b, hn::Sub(sum, a))};
+}
+
+/// The exact product: fused where the machine can, else Dekker's.
+template <class D>
+HWY_INLINE Exact<hn::Vec<D>> two_product(D d, hn::Vec<D> a, hn::Vec<D> b) {
+  using V = hn::Vec<D>;
+  const V product = hn::Mul(a, b);
+#if HWY_NATIVE_FMA
+  return {product, hn::MulSub(a, b, product)};
+#else
+  const V splitter = hn::Set(d, 0x1p27 + 1);
+  const V wide_a = hn::Mul(splitter, a);
+  const V wide_b = hn::Mul(splitter, b);
+  const V high_a = hn::Sub(wide_a, hn::Sub(wide_a, a));
+  const V high_b = hn::Sub(wide_b, hn::Sub(wide_b, b));
+  const V low_a = hn::Sub(a, high_a);
+  const V low_b = hn::Sub(b, high_b);
+  const V first = hn::Sub(hn::Mul(high_a, high_b), product);
+  return {product, hn::Add(hn::Add(hn::Add(first, hn::Mul(high_a, low_b)), hn::Mul(low_a, high_b)),
+                           hn::Mul(low_a, low_b))};
+#endif
+}
+
+template <class D>
+struct LineLanes {
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  Triples<V> near, low, direction;
+  V direction_squared, inverse_squared, shift, unit;
+  V near_error;  ///< a bound for what each coordinate of `near` is off
+
+  Triples<V> cell_near, cell_direction;  ///< the same in the cells' axes
+  V inverse[3];                          ///< of cell_direction; huge where it is zero
+  V axis_inverse[3];                     ///< of direction
+  V guard[3];     ///< how near a plane square to the axis must be to be left to the caster; below 0: never
+  M is_negative[3];
+  V start, end;  ///< tau
+  V slack;       ///< four times what an event with a plane square to an axis may be off
+  M valid;
+};
+
+template <class D>
+HWY_INLINE hn::Vec<D> load(D d, const double* values, std::size_t first, std::size_t count) {
+  const std::size_t lanes = hn::Lanes(d);
+  if (count >= lanes) return hn::LoadU(d, values + first);
+  HWY_ALIGN double buffer[16];
+  for (std::size_t i = 0; i < lanes; ++i) buffer[i] = values[first + (i < count ? i : count - 1)];
+  return hn::Load(d, buffer);
+}
+
+/// The line in its frame, as LineFrame makes it.
+template <class D>
+HWY_INLINE void set_line(D d, const Frame& frame, const LaneRays& rays, std::size_t first, std::size_t count,
+                         LineLanes<D>& line) {
+  using V = hn::Vec<D>;
+  const BitsOf<D> bits;
+  const Triples<V> o{load(d, rays.origin[0], first, count), load(d, rays.origin[1], first, count),
+                     load(d, rays.origin[2], first, count)};
+  const Triples<V> v{load(d, rays.direction[0], first, count), load(d, rays.direction[1], first, count),
+                     load(d, rays.direction[2], first, count)};
+  const auto exponent = biased_exponent(d, longest(v));
+  const V scale = power_of_biased(d, hn::Sub(hn::Set(bits, 2046u), exponent));
+  const V back = power_of_biased(d, exponent);
+  line.direction = {hn::Mul(v.x, scale), hn::Mul(v.y, scale), hn::Mul(v.z, scale)};
+  const auto scales = [&](V scaled, V original) { return hn::Eq(hn::Mul(scaled, back), original); };
+  line.valid = hn::And(hn::And(scales(line.direction.x, v.x), scales(line.direction.y, v.y)),
+                       scales(line.direction.z, v.z));
+  line.unit = power_of_biased(
+      d, hn::Sub(hn::Set(bits, static_cast<std::uint64_t>(2046 + frame.exponent)), exponent));
+  line.direction_squared = dot(line.direction, line.direction);
+  line.inverse_squared = hn::Div(hn::Set(d, 1.0), line.direction_squared);
+
+  const V to_frame = hn::Set(d, std::ldexp(1.0, -frame.exponent));
+  const auto x = two_sum(o.x, hn::Set(d, -frame.center.x));
+  const auto y = two_sum(o.y, hn::Set(d, -frame.center.y));
+  const auto z = two_sum(o.z, hn::Set(d, -frame.center.z));
+  const Triples<V> high{hn::Mul(x.high, to_frame), hn::Mul(y.high, to_frame), hn::Mul(z.high, to_frame)};
+  const Triples<V> low{hn::Mul(x.low, to_frame), hn::Mul(y.low, to_frame), hn::Mul(z.low, to_frame)};
+  const V size = longest(high);
+  const V approach = hn::Mul(hn::Neg(dot(high, line.direction)), line.inverse_squared);
+  line.shift = hn::IfThenElseZero(hn::Gt(size, hn::Set(d, 2.0)), approach);
+  const auto place = [&](V from, V rest, V along, V& near, V& near_low) {
+    const auto step = two_product(d, line.shift, along);
+    const auto sum = two_sum(from, step.high);
+    const auto at = fast_two_sum(sum.high, hn::Add(sum.low, hn::Add(step.low, rest)));
+    near = at.high;
+    near_low = at.low;
+  };
+  place(high.x, low.x, line.direction.x, line.near.x, line.low.x);
+  place(high.y, low.y, line.direction.y, line.near.y, line.low.y);
+  place(high.z, low.z, line.direction.z, line.near.z, line.low.z);
+  const V reach = hn::Add(size, hn::Mul(hn::Set(d, 2.0), hn::Abs(line.shift)));
+  const V low_error = hn::Add(hn::Mul(hn::Set(d, 0x8p-106), reach), hn::Set(d, 0x1p-1000));
+  line.near_error = hn::Add(hn::Mul(hn::Set(d, 0x1p-53), longest(line.near)), low_error);
+}
+
+/// What walks and tests need besides.
+template <class D>
+HWY_INLINE void prepare_walk(D d, const CellData& cells, const LaneRays& rays, std::size_t first, std::size_t count,
+                             LineLanes<D>& line) {
+  using V = hn::Vec<D>;
+  const V zero = hn::Zero(d);
+  const V u = hn::Set(d, 0x1p-53);
+  const auto inverse_of = [&](V v) {
+    // Of zero a number so large that a product with anything but zero is out of the way.
+    const V safe = hn::IfThenElse(hn::Lt(hn::Abs(v), hn::Set(d, 1e-250)), hn::Set(d, 1e-250), v);
+    return hn::Div(hn::Set(d, 1.0), safe);
+  };
+  const V along[3] = {line.direction.x, line.direction.y, line.direction.z};
+  V slack = hn::Set(d, 0x1p-46);
+  for (int axis = 0; axis < 3; ++axis) {
+    line.axis_inverse[axis] = inverse_of(along[axis]);
+    line.is_negative[axis] = hn::Lt(along[axis], zero);
+    const V off = hn::Mul(hn::Mul(hn::Set(d, 96.0), u), hn::Abs(line.axis_inverse[axis]));
+    const auto is_loose = hn::Gt(off, hn::Set(d, greatest_slack));
+    slack = hn::Max(slack, hn::IfThenZeroElse(is_loose, off));
+    const V guard = hn::Max(hn::Mul(hn::Set(d, 128.0), u), hn::Mul(hn::Set(d, 8.5), hn::Abs(along[axis])));
+    line.guard[axis] = hn::IfThenElse(is_loose, guard, hn::Set(d, -1.0));
+  }
+  line.slack = slack;
+  line.cell_near = line.near;
+  line.cell_direction = line.direction;
+  for (int axis = 0; axis < 3; ++axis) line.inverse[axis] = line.axis_inverse[axis];
+  if (cells.is_turned) {
+    const auto turned = [&](const Triples<V>& v) {
+      const auto row = [&](const Vector& r) {
+        return dot(Triples<V>{hn::Set(d, r.x), hn::Set(d, r.y), hn::Set(d, r.z)}, v);
+      };
+      return Triples<V>{row(cells.axes[0]), row(cells.axes[1]), row(cells.axes[2])};
+    };
+    line.cell_near = turned(line.near);
+    line.cell_direction = turned(line.direction);
+    line.inverse[0] = inverse_of(line.cell_direction.x);
+    line.inverse[1] = inverse_of(line.cell_direction.y);
+    line.inverse[2] = inverse_of(line.cell_direction.z);
+  }
+  line.start = hn::Neg(line.shift);
+  line.end = hn::Inf(d);
+  if (rays.end != nullptr) {
+    const V end = load(d, rays.end, first, count);
+    line.end = hn::Sub(hn::Div(end, line.unit), line.shift);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace csgcast::detail
+HWY_AFTER_NAMESPACE();
+#endif

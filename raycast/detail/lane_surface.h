@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "raycast/surface.h"
+
+namespace csgcast::detail {
+
+/// A surface as the lanes compute with it.
+struct LaneSurface {
+  enum class Kind : std::uint8_t {
+    plane_x,  ///< square to an axis of the frame: c[0] its place, c[1] the sign of its normal
+    plane_y,
+    plane_z,
+    plane,     ///< c[0..2] normal, c[3] constant, c[4] what its crossings are off times |slope|, c[5] of its value
+    sphere,    ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
+    quadric,   ///< the form about its center, as in Surface
+    undecided  ///< its doubles decide nothing
+  };
+
+  Surface::Coefficients c{};
+  std::array<double, 3> center{};
+  double second_degree = 0;
+  double first_degree = 0;
+  double constant = 0;
+  Kind kind = Kind::undecided;
+};
+
+LaneSurface make_lane_surface(const Surface& surface);
+
+}  // namespace csgcast::detail

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: MIT
+// Rays through the cells, a ray a lane, front to back. Compiled once for each instruction set; included by lanes.cpp
+// only.
+#if defined(CSGCAST_LANE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CSGCAST_LANE_WALK_INL_H
+#undef CSGCAST_LANE_WALK_INL_H
+#else
+#define CSGCAST_LANE_WALK_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace csgcast::detail {
+namespace HWY_NAMESPACE {
+
+enum class Wanted : std::uint8_t { first, any };
+
+/// One packet's way through the cells. A lane is live until its answer is known; what happens to it is in `fate`.
+template <class D, Wanted wanted>
+class Walk {
+ public:
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+  using Bits = BitsOf<D>;
+  using U = hn::Vec<Bits>;
+
+  Walk(const CellData& cells, const LineLanes<D>& line, const Departures<D>* departures, LaneCounts& counts)
+      : cells_(cells), line_(line), departures_(departures), counts_(counts) {}
+
+  /// `lanes`: those that hold a ray.
+  HWY_INLINE void run(M lanes) {
+    const D d;
+    const V zero = hn::Zero(d);
+    flagged_ = hn::AndNot(line_.valid, lanes);
+    live_ = hn::And(lanes, line_.valid);
+    found_ = begun_ = now_inside_ = hn::MaskFromVec(zero);
+    slot_ = rises_ = hn::Zero(Bits());
+    V from = line_.start;
+    V to = line_.end;
+    if (cells_.is_empty) return;
+    const M far_out = hn::Gt(longest(line_.near), hn::Set(d, 4.0));
+    if (cells_.reaches_beyond) {
+      flag(hn::And(live_, far_out));
+    } else {
+      live_ = hn::AndNot(far_out, live_);
+      clip(from, to);
+    }
+    // Lanes of one direction's signs at a time: these share the order of the cells.
+    M waiting = hn::And(live_, hn::Le(from, to));
+    while (!hn::AllFalse(d, waiting)) {
+      const std::size_t leader = static_cast<std::size_t>(hn::FindFirstTrue(d, waiting));
+      const unsigned signs = signs_of(leader);
+      M group = waiting;
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        const M negative = hn::Lt(direction(axis), zero);
+        group = ((signs >> axis) & 1) != 0 ? hn::And(group, negative) : hn::AndNot(negative, group);
+      }
+      waiting = hn::AndNot(group, waiting);
+      descend(from, hn::IfThenElse(group, to, hn::Neg(hn::Inf(d))), signs);
+    }
+  }
+
+  M flagged() const { return flagged_; }
+  M found() const { return found_; }     ///< the lanes that have an answer but a miss
+  M inside() const { return now_inside_; }  ///< of those: that are inside right after
+  U slot() const { return slot_; }
+  U rises() const { return rises_; }     ///< not zero: the surface turns positive
+
+ private:
+  HWY_INLINE V direction(unsigned axis) const {
+    return axis == 0 ? line_.cell_direction.x : axis == 1 ? line_.cell_direction.y : line_.cell_direction.z;
+  }
+  HWY_INLINE V near(unsigned axis) const {
+    return axis == 0 ? line_.cell_near.x : axis == 1 ? line_.cell_near.y : line_.cell_near.z;
+  }
+
+  HWY_INLINE unsigned signs_of(std::size_t lane) const {
+    const D d;
+    unsigned signs = 0;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      HWY_ALIGN double values[16];
+      hn::Store(direction(axis), d, values);
+      signs |= values[lane] < 0 ? 1u << axis : 0u;
+    }
+    return signs;
+  }
+
+  HWY_INLINE void clip(V& from, V& to) const {
+    const D d;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const V low = hn::Mul(hn::Sub(hn::Set(d, cells_.box.lower[axis]), near(axis)), line_.inverse[axis]);
+      const V high = hn::Mul(hn::Sub(hn::Set(d, cells_.box.upper[axis]), near(axis)), line_.inverse[axis]);
+      from = hn::Max(from, hn::Min(low, high));
+      to = hn::Min(to, hn::Max(low, high));
+    }
+  }
+
+  HWY_INLINE void flag(M lanes) {
+    flagged_ = hn::Or(flagged_, lanes);
+    live_ = hn::AndNot(lanes, live_);
+  }
+
+  HWY_INLINE void descend(V from, V to, unsigned signs) {
+    const D d;
+    struct Rest {
+      V from, to;
+      std::uint32_t node;
+    };
+    Rest stack[most_depth];
+    std::size_t height = 0;
+    std::uint32_t at = 0;
+    for (;;) {
+      const CellNode* node = &cells_.nodes[at];
+      while (!node->is_end()) {
+        ++counts_.nodes;
+        const unsigned axis = node->axis;
+        const V split = hn::Mul(hn::Sub(hn::Set(d, node->split), near(axis)), line_.inverse[axis]);
+        const bool upwards = ((signs >> axis) & 1) == 0;
+        const std::uint32_t first = upwards ? at + 1 : node->above;
+        const std::uint32_t second = upwards ? node->above : at + 1;
+        const M active = hn::Le(from, to);
+        const bool to_first = !hn::AllFalse(d, hn::And(active, hn::Le(from, split)));
+        const bool to_second = !hn::AllFalse(d, hn::And(active, hn::Ge(to, split)));
+        if (to_first && to_second) {
+          stack[height].from = hn::Max(from, split);
+          stack[height].to = to;
+          stack[height++].node = second;
+          to = hn::Min(to, split);
+        }
+        at = to_first ? first : second;
+        node = &cells_.nodes[at];
+      }
+      const M active = hn::And(live_, hn::Le(from, to));
+      if (!hn::AllFalse(d, active)) visit(cells_.cells[node->above], from, to, active);
+      for (;;) {
+        if (height == 0) return;
+        --height;
+        from = stack[height].from;
+        to = hn::IfThenElse(live_, stack[height].to, hn::Neg(hn::Inf(d)));
+        if (!hn::AllFalse(d, hn::Le(from, to))) break;
+      }
+      at = stack[height].node;
+    }
+  }
+
+  /// Lanes that start inside the cell learn what they start in.
+  HWY_INLINE void begin(M lanes, M inside) {
+    begun_ = hn::Or(begun_, lanes);
+    now_inside_ = hn::Or(hn::AndNot(lanes, now_inside_), hn::And(lanes, inside));
+    if constexpr (wanted == Wanted::any) {
+      found_ = hn::Or(found_, hn::And(lanes, inside));
+      live_ = hn::AndNot(hn::And(lanes, inside), live_);
+    }
+  }
+
+  void visit(const Cell& cell, V from, V to, M active) {
+    const D d;
+    ++counts_.cells;
+    if (cell.is_undecided) return flag(active);
+    const M starting = hn::AndNot(begun_, hn::And(active, hn::Le(from, line_.start)));
+    // Whoever comes in from beyond comes from outside: only a start within the cells needs to be looked at.
+    begun_ = hn::Or(begun_, active);
+    if (cell.slot_count == 0) {
+      if (!hn::AllFalse(d, starting)) begin(starting, cell.value ? starting : hn::Xor(starting, starting));
+      // The state on the way in must agree: it does, unless something is wrong.
+      const M value = cell.value ? active : hn::Xor(active, active);
+      return flag(hn::And(live_, hn::And(active, hn::Xor(value, hn::And(active, now_inside_)))));
+    }
+    counts_.surface_tests += cell.slot_count;
+    cell_events(d, line_, cells_, cell, departures_, events_);
+    flag(hn::And(active, events_.flagged));
+    active = hn::And(active, live_);
+    if (!hn::AllFalse(d, hn::And(starting, live_))) start(cell, hn::And(starting, live_));
+    sweep(cell, from, to, hn::And(active, live_));
+  }
+
+  /// What lanes start in; those with an event at the start are flagged.
+  void start(const Cell& cell, M lanes) {
+    const D d;
+    const U before = state_at(cell, hn::Sub(line_.start, events_.slack));
+    const U after = state_at(cell, hn::Add(line_.start, events_.slack));
+    const M differs = hn::And(lanes, hn::RebindMask(d, hn::Ne(before, after)));
+    flag(differs);
+    begin(hn::AndNot(differs, lanes), value_of(cell, after));
+  }
+
+  HWY_INLINE V next_after(const Cell& cell, V at) const {
+    const D d;
+    const V never = hn::Inf(d);
+    V next = never;
+    for (std::size_t i = 0; i < cell.slot_count; ++i) {
+      const V first = events_.first[i];
+      const V second = events_.second[i];
+      next = hn::Min(next, hn::IfThenElse(hn::Gt(first, at), first, never));
+      next = hn::Min(next, hn::IfThenElse(hn::Gt(second, at), second, never));
+    }
+    return next;
+  }
+
+  HWY_INLINE U state_at(const Cell& cell, V at) const {
+    // (no tag)
+    const Bits bits;
+    U state = hn::Zero(bits);
+    for (std::size_t i = 0; i < cell.slot_count; ++i) {
+      const M passed = hn::Xor(hn::Le(events_.first[i], at), hn::Le(events_.second[i], at));
+      const M positive = hn::Xor(passed, events_.positive_before[i]);
+      const U bit = hn::Set(bits, std::uint64_t{1} << i);
+      state = hn::Or(state, hn::IfThenElseZero(hn::RebindMask(bits, positive), bit));
+    }
+    return state;
+  }
+
+  HWY_INLINE M value_of(const Cell& cell, U state) const {
+    const D d;
+    const Bits bits;
+    if (cell.step_count == 0) {
+      const U word = hn::Shr(hn::Set(bits, cell.table), state);
+      return hn::RebindMask(d, hn::Ne(hn::And(word, hn::Set(bits, 1)), hn::Zero(bits)));
+    }
+    return hn::RebindMask(d, value_by_steps(cell, state));
+  }
+
+  hn::Mask<Bits> value_by_steps(const Cell& cell, U state) const {
+    const Bits bits;
+    hn::Mask<Bits> stack[Cell::most_operands];
+    std::size_t height = 0;
+    for (std::size_t i = 0; i < cell.step_count; ++i) {
+      const Step& step = cells_.steps[cell.first_step + i];
+      if (step.op == Step::Op::leaf) {
+        const U off = hn::And(hn::Xor(state, hn::Set(bits, step.want)), hn::Set(bits, step.mask));
+        stack[height++] = hn::Eq(off, hn::Zero(bits));
+        continue;
+      }
+      if (step.op == Step::Op::complement) {
+        stack[height - 1] = hn::Not(stack[height - 1]);
+        continue;
+      }
+      --height;
+      hn::Mask<Bits>& left = stack[height - 1];
+      const hn::Mask<Bits> right = stack[height];
+      left = step.op == Step::Op::unite       ? hn::Or(left, right)
+             : step.op == Step::Op::intersect ? hn::And(left, right)
+                                              : hn::AndNot(right, left);
+    }
+    return stack[0];
+  }
+
+  HWY_INLINE M has_one_bit(U word) const {
+    const D d;
+    const Bits bits;
+    const U rest = hn::And(word, hn::Sub(word, hn::Set(bits, 1)));
+    return hn::RebindMask(d, hn::And(hn::Eq(rest, hn::Zero(bits)), hn::Ne(word, hn::Zero(bits))));
+  }
+
+  /// Event by event, as long as some lane has one in the cell. An event counts as certain if no other is within slack
+  /// of it.
+  HWY_INLINE void sweep(const Cell& cell, V from, V to, M active) {
+    const D d;
+    const V slack = events_.slack;
+    const V limit = hn::Add(to, slack);
+    V at = hn::Add(from, slack);
+    V next = next_after(cell, at);
+    M todo = hn::And(active, hn::Le(next, limit));
+    if (hn::AllFalse(d, todo)) return;
+    // Close to the end of what is asked nothing is certain.
+    flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, slack))));
+    todo = hn::And(todo, live_);
+    U state = state_at(cell, at);
+    M inside = value_of(cell, state);
+    const M disagrees = hn::And(todo, hn::Xor(inside, now_inside_));
+    flag(disagrees);
+    todo = hn::AndNot(disagrees, todo);
+    while (!hn::AllFalse(d, todo)) {
+      const U after = state_at(cell, hn::Add(next, slack));
+      U flips = hn::Xor(state, after);
+      const M value = value_of(cell, after);
+      M changes = hn::And(todo, hn::Xor(value, now_inside_));
+      const M several = hn::AndNot(has_one_bit(flips), todo);
+      if (!hn::AllFalse(d, several)) {
+        settle(cell, state, after, next, several, flips);
+        todo = hn::And(todo, live_);
+        changes = hn::And(changes, live_);
+      }
+      record(cell, changes, flips, after);
+      state = after;
+      now_inside_ = hn::Or(hn::AndNot(changes, now_inside_), hn::And(changes, value));
+      todo = hn::And(todo, live_);
+      at = hn::Add(next, slack);
+      next = next_after(cell, at);
+      todo = hn::And(todo, hn::Le(next, limit));
+      if (hn::AllFalse(d, todo)) return;
+      flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, slack))));
+      todo = hn::And(todo, live_);
+    }
+  }
+
+  /// Two surfaces flip within slack of each other: it does not matter in which order if the value is the same in
+  /// between, or if one of them alone decides it both before and after. All else is flagged. `flips` becomes the one
+  /// that decides.
+  void settle(const Cell& cell, U state, U after, V next, M several, U& flips) {
+    const D d;
+    const Bits bits;
+    const U low = hn::And(flips, hn::Sub(hn::Zero(bits), flips));
+    const U high = hn::Xor(flips, low);
+    const U later = state_at(cell, hn::Add(next, hn::Add(events_.slack, events_.slack)));
+    const M is_pair = hn::And(has_one_bit(high), hn::RebindMask(d, hn::Eq(later, after)));
+    const M before_value = now_inside_;
+    const M after_value = value_of(cell, after);
+    const M low_value = value_of(cell, hn::Xor(state, low));
+    const M high_value = value_of(cell, hn::Xor(state, high));
+    const M low_changes = hn::Xor(before_value, low_value);
+    const M high_changes = hn::Xor(before_value, high_value);
+    const M changes = hn::Xor(before_value, after_value);
+    const M none = hn::AndNot(changes, hn::Not(hn::Or(low_changes, high_changes)));
+    const M by_low = hn::And(changes, hn::AndNot(high_changes, low_changes));
+    const M by_high = hn::And(changes, hn::AndNot(low_changes, high_changes));
+    const M settled = hn::And(is_pair, hn::Or(none, hn::Or(by_low, by_high)));
+    flag(hn::AndNot(settled, several));
+    const auto in_bits = [&](M lanes) { return hn::RebindMask(bits, hn::And(several, lanes)); };
+    flips = hn::IfThenElse(in_bits(by_low), low, hn::IfThenElse(in_bits(by_high), high, flips));
+  }
+
+  HWY_INLINE void record(const Cell& cell, M changes, U flips, U after) {
+    const Bits bits;
+    const auto lanes = hn::RebindMask(bits, changes);
+    const U index = hn::Sub(hn::Set(bits, 63), leading_zeros(flips));
+    slot_ = hn::IfThenElse(lanes, hn::Add(hn::Set(bits, cell.first_slot), index), slot_);
+    rises_ = hn::IfThenElse(lanes, hn::And(flips, after), rises_);
+    found_ = hn::Or(found_, changes);
+    live_ = hn::AndNot(changes, live_);
+  }
+
+  HWY_INLINE U leading_zeros(U word) const {
+    // The exponent of a power of two as a double tells its logarithm; 2^63 fits, too.
+    const Bits bits;
+    HWY_ALIGN std::uint64_t values[16];
+    hn::Store(word, bits, values);
+    for (std::size_t i = 0; i < hn::Lanes(bits); ++i)
+      values[i] = values[i] == 0 ? 63 : static_cast<std::uint64_t>(__builtin_clzll(values[i]));
+    return hn::Load(bits, values);
+  }
+
+  static constexpr std::size_t most_depth = 72;
+
+  const CellData& cells_;
+  const LineLanes<D>& line_;
+  const Departures<D>* departures_;
+  LaneCounts& counts_;
+  Events<D> events_;
+  M live_, flagged_, found_, begun_, now_inside_;
+  U slot_, rises_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace csgcast::detail
+HWY_AFTER_NAMESPACE();
+#endif

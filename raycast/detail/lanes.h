@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "raycast/detail/cell_data.h"
+#include "raycast/scene.h"
+
+// Many rays at once, in the lanes of vector registers: the interface of the code that is compiled for each instruction
+// set (lanes.cpp).
+
+namespace csgcast::detail {
+
+/// What became of a ray.
+enum class LaneFate : std::uint8_t { miss, entry, exit, flagged };
+
+/// Rays as arrays of the same length, in the world's coordinates.
+struct LaneRays {
+  std::size_t count = 0;
+  const double* origin[3] = {};
+  const double* direction[3] = {};
+  const std::uint32_t* departure = nullptr;  ///< the surface that each ray starts on, or Id's none; null: no ray does
+  const std::uint8_t* departs_positive = nullptr;  ///< on which side of it
+  const double* end = nullptr;  ///< the t up to which each ray is asked; null: for all of [0, infinity)
+};
+
+/// What was found, arrays for as many rays; null where it is not wanted. What is told of a ray that was flagged means
+/// nothing.
+struct LaneHits {
+  LaneFate* fate = nullptr;
+  double* t = nullptr;
+  std::uint32_t* slot = nullptr;       ///< index in CellData::slots
+  std::uint8_t* rises = nullptr;       ///< the surface turns from negative to positive
+  double* point[3] = {};               ///< in the world
+  double* normal[3] = {};              ///< unit, out of the solid
+};
+
+/// Work done.
+struct LaneCounts {
+  std::uint64_t rays = 0;
+  std::uint64_t packets = 0;
+  std::uint64_t nodes = 0;          ///< visited, times lanes at work
+  std::uint64_t cells = 0;          ///< visited, times lanes at work
+  std::uint64_t surface_tests = 0;  ///< times lanes at work
+  std::uint64_t flagged = 0;
+};
+
+/// The code for one instruction set. All give the same answers to rays that they do not flag.
+struct LaneCode {
+  std::string_view name;
+  std::size_t lanes;
+  void (*first_hits)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
+  void (*first_hits_single)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
+  /// Whether the rays meet the inside: fate is entry, miss or flagged.
+  void (*any_hits)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
+  void (*any_hits_single)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
+};
+
+/// Those that this machine can run, the best first.
+std::span<const LaneCode> lane_codes();
+
+}  // namespace csgcast::detail
