@@ -53,6 +53,8 @@ std::optional<Hit> Caster::first_hit(NodeId node, Span span, Rounding rounding) 
   return std::nullopt;
 }
 
+Crossing Caster::reported(const Crossing& crossing) { return state_->cache.reported(crossing); }
+
 bool Caster::any_hit(NodeId node, Span span) {
   State& state = *state_;
   for (const Interval& interval : state.evaluator.evaluate(node, span, detail::Want::any)) {

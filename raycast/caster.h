@@ -79,6 +79,9 @@ class Caster {
   bool any_hit(Span span = {}) { return any_hit(scene().root(), span); }
   bool any_hit(NodeId node, Span span = {});
 
+  /// A crossing of the present ray with the t to report, the nearest double.
+  Crossing reported(const Crossing& crossing);
+
   /// For scenes that transmit: the changes of medium in the span, in ascending order, ended by the first one into an
   /// opaque solid. Where layers overlap the first in file order wins; layers of one look side by side are one medium.
   /// The vector is overwritten.

@@ -112,10 +112,10 @@ std::string interval_options(const Mismatch& mismatch) {
 }
 
 Comparison::Comparison(const Scene& scene, std::span<const EngineKind> kinds)
-    : exact_(scene, exact_predicates()), answers_(kinds.size(), std::vector<Answers>(rays_at_once)) {
+    : subject_(scene), exact_(scene, exact_predicates()), answers_(kinds.size(), std::vector<Answers>(rays_at_once)) {
   for (const EngineKind& kind : kinds) {
     names_.push_back(kind.name);
-    engines_.push_back(kind.make(scene));
+    engines_.push_back(kind.make(subject_));
   }
 }
 

@@ -58,6 +58,7 @@ class Comparison {
   void judge(std::size_t engine, const Ray& ray, const Answers& found, Tally& tally, std::vector<Mismatch>& mismatches,
              std::size_t most) const;
 
+  Subject subject_;
   Caster exact_;
   std::vector<std::string_view> names_;
   std::vector<std::unique_ptr<Engine>> engines_;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "verify/engine.h"
 
-#include <array>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "raycast/packet_caster.h"
 
 namespace csgcast::verify {
 namespace {
@@ -35,13 +39,71 @@ class ScalarEngine final : public Engine {
   Caster caster_;
 };
 
-constexpr std::array table{
-    EngineKind{"scalar", [](const Scene& scene) { return scalar_engine(scene, certified_predicates()); }},
+// Packets, with one instruction set.
+class PacketEngine final : public Engine {
+ public:
+  PacketEngine(const Cells& cells, PacketCaster::Width width, std::string_view instructions)
+      : caster_(cells, width, instructions) {}
+
+  void answer(std::span<const Ray> rays, std::span<Answers> answers) override {
+    any_.resize(rays.size());
+    first_.resize(rays.size());
+    reversed_.clear();
+    for (const Ray& ray : rays) reversed_.emplace_back(ray.origin(), -ray.direction());
+    const std::uint64_t exact = caster_.caster_counts().exact_calls;
+    caster_.any_hits(rays, any_);
+    caster_.first_hits(rays, first_);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      answers[i].any_hit = any_[i] != 0;
+      answers[i].first_hit = first_[i];
+    }
+    ask(rays, {}, answers, &Answers::ray);
+    ask(rays, Span::line(), answers, &Answers::line);
+    ask(reversed_, Span::line(), answers, &Answers::reversed);
+    // What was left to the caster is known of all rays together only.
+    const std::uint64_t spent = caster_.caster_counts().exact_calls - exact;
+    for (Answers& answer : answers.first(rays.size())) answer.exact_decisions = 0;
+    if (!rays.empty()) answers.front().exact_decisions = spent;
+  }
+
+ private:
+  void ask(std::span<const Ray> rays, Span span, std::span<Answers> answers, IntervalList Answers::*which) {
+    caster_.intervals(rays, batch_, span);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (which == &Answers::ray) answers[i].flagged = false;
+      answers[i].flagged = answers[i].flagged || batch_.left_to_caster[i] != 0;
+      const auto list = batch_.of(i);
+      (answers[i].*which).assign(list.begin(), list.end());
+    }
+  }
+
+  PacketCaster caster_;
+  std::vector<std::uint8_t> any_;
+  std::vector<std::optional<Hit>> first_;
+  std::vector<Ray> reversed_;
+  IntervalBatch batch_;
 };
+
+std::vector<EngineKind> make_table() {
+  std::vector<EngineKind> table;
+  table.push_back({"scalar", [](Subject& s) { return scalar_engine(s.scene(), certified_predicates()); }});
+  static std::deque<std::string> names;  // the table's names stay
+  const auto add = [&](PacketCaster::Width width, std::string_view set) {
+    names.push_back((width == PacketCaster::Width::packet ? "packets, " : "single rays, ") + std::string(set));
+    table.push_back({names.back(), [=](Subject& s) { return std::make_unique<PacketEngine>(s.cells(), width, set); }});
+  };
+  const std::vector<std::string_view> sets = PacketCaster::instruction_sets();
+  for (const std::string_view set : sets) add(PacketCaster::Width::packet, set);
+  add(PacketCaster::Width::single, sets.front());
+  return table;
+}
 
 }  // namespace
 
-std::span<const EngineKind> engines() { return table; }
+std::span<const EngineKind> engines() {
+  static const std::vector<EngineKind> table = make_table();
+  return table;
+}
 
 std::unique_ptr<Engine> scalar_engine(const Scene& scene, const Predicates& predicates) {
   return std::make_unique<ScalarEngine>(scene, predicates);

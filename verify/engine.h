@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
 
 #include "raycast/caster.h"
+#include "raycast/cells.h"
 
 namespace csgcast::verify {
 
@@ -30,9 +32,25 @@ class Engine {
   virtual void answer(std::span<const Ray> rays, std::span<Answers> answers) = 0;
 };
 
+/// What engines answer about: a scene, and its cells once somebody asks for them. For one thread.
+class Subject {
+ public:
+  /// The scene must outlive the subject.
+  explicit Subject(const Scene& scene) : scene_(scene) {}
+  const Scene& scene() const { return scene_; }
+  const Cells& cells() {
+    if (!cells_) cells_.emplace(scene_);
+    return *cells_;
+  }
+
+ private:
+  const Scene& scene_;
+  std::optional<Cells> cells_;
+};
+
 struct EngineKind {
   std::string_view name;
-  std::unique_ptr<Engine> (*make)(const Scene& scene);  ///< the scene must outlive the engine
+  std::function<std::unique_ptr<Engine>(Subject&)> make;  ///< the subject must outlive the engine
 };
 
 /// Every engine that promises the answer of docs/answer.md. A new one is one more row here.

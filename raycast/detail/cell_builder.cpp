@@ -18,6 +18,9 @@ constexpr std::size_t most_candidates = 24;
 // Beside a face, far enough for the cell to be clear of it: the boxes of leaves are wider by 2^-31.
 constexpr double beside = 0x1p-30;
 constexpr double least_side = 0x1p-28;
+// Cells whose area is less than this share of the least leaf's there are not cut: few rays would notice.
+constexpr double least_share = 0x1p-9;
+constexpr double least_share_of_large = 0x1p-13;
 
 // The cost of a ray, in units of the test of a surface.
 constexpr double cost_of_node = 1.0;
@@ -222,6 +225,10 @@ double CellBuilder::build(const Formula& formula, const CellBox& box, int depth,
   if (surfaces.size() < 2 || depth == most_depth) return add_cell(formula);
   std::vector<LeafId> leaves;
   gather_leaves(formula, leaves);
+  const bool is_too_large = surfaces.size() > Cell::table_slots;
+  double least = std::numeric_limits<double>::infinity();
+  for (const LeafId leaf : leaves) least = std::fmin(least, area(leaf_boxes_[leaf.index()]));
+  if (area(box) < least * (is_too_large ? least_share_of_large : least_share)) return add_cell(formula);
   Split split;
   if (leaves.size() > most_leaves_tried) split = split_by_bins(leaves, box);
   if (split.cost == 0 || split.cost > 0.95 * as_one) {
@@ -230,8 +237,7 @@ double CellBuilder::build(const Formula& formula, const CellBox& box, int depth,
   }
   if (split.cost == 0) return add_cell(formula);
   const bool is_promising = split.cost < as_one;
-  const bool is_too_large = surfaces.size() > Cell::table_slots;
-  if (!is_promising && hopes == 0 && !(is_too_large && depth < 24)) return add_cell(formula);
+  if (!is_promising && hopes == 0 && !is_too_large) return add_cell(formula);
   const int left = is_promising ? most_hopes : std::max(hopes - 1, 0);
 
   const Marks before = marks();

@@ -57,6 +57,7 @@ struct Cell {
   std::uint8_t slot_count = 0;
   bool value = false;         ///< of a cell that no surface crosses
   bool is_undecided = false;  ///< rays through it are left to the caster
+  bool is_far = false;        ///< infinite, crossed by planes alone
 };
 
 /// Space in cells. Coordinates are the frame's, turned by `axes` (rows) if `is_turned`.

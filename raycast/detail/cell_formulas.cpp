@@ -134,9 +134,11 @@ double CellBuilder::add_cell(const Formula& formula) {
     end_at(cell.table != 0 ? 1 : 0);
     return cost_of_cell(0);
   }
+  cell.is_far = is_outside_;
   cell.is_undecided =
-      is_outside_ || surfaces.size() > Cell::most_slots || std::any_of(surfaces.begin(), surfaces.end(), [&](SurfaceId id) {
-        return data_.surfaces[id.index()].kind == LaneSurface::Kind::undecided;
+      surfaces.size() > Cell::most_slots || std::any_of(surfaces.begin(), surfaces.end(), [&](SurfaceId id) {
+        const LaneSurface::Kind kind = data_.surfaces[id.index()].kind;
+        return kind == LaneSurface::Kind::undecided || (is_outside_ && kind > LaneSurface::Kind::plane);
       });
   if (!cell.is_undecided) {
     add_slots(formula, surfaces, cell);

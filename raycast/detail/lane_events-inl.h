@@ -256,6 +256,25 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface&
       hn::Or(hn::And(departing, a_is_positive), hn::AndNot(departing, events.positive_before[i]));
 }
 
+/// Far from the frame's cube planes are off by more: what is off their slope counts by the way there. All that is
+/// loose is left to the caster.
+template <class D>
+HWY_INLINE void loosen_far_events(D d, const LineLanes<D>& line, const LaneSurface& plane, hn::Mask<D> departing,
+                                  std::size_t i, Events<D>& events) {
+  using V = hn::Vec<D>;
+  if (plane.kind < LaneSurface::Kind::plane) {
+    const V guard = line.guard[static_cast<std::size_t>(plane.kind)];
+    return flag(events, hn::AndNot(departing, hn::Ge(guard, hn::Zero(d))));
+  }
+  const Triples<V> n{hn::Set(d, plane.c[0]), hn::Set(d, plane.c[1]), hn::Set(d, plane.c[2])};
+  const V slope = hn::Abs(dot(n, line.direction));
+  const V ways = hn::MulAdd(hn::Set(d, 0.125), hn::Abs(events.first[i]), hn::Set(d, 1.0));
+  const V off = hn::Div(hn::Mul(hn::Set(d, plane.c[4]), ways), slope);
+  const auto is_sound = hn::Or(departing, hn::Le(off, hn::Set(d, greatest_slack)));
+  flag(events, hn::Not(is_sound));
+  events.slack = hn::Max(events.slack, hn::IfThenElseZero(hn::AndNot(departing, is_sound), off));
+}
+
 /// The events of all surfaces of a cell.
 template <class D>
 HWY_INLINE void cell_events(D d, const LineLanes<D>& line, const CellData& cells, const Cell& cell,
@@ -286,6 +305,7 @@ HWY_INLINE void cell_events(D d, const LineLanes<D>& line, const CellData& cells
       default:
         quadric_events(d, line, surface, departing, departures, i, events);
     }
+    if (cell.is_far) loosen_far_events(d, line, surface, departing, i, events);
   }
 }
 

@@ -15,13 +15,15 @@ namespace HWY_NAMESPACE {
 /// tau of the crossing at which the surface rises or falls, as filtered_plane and filtered_quadric give it
 /// (line_filter.cpp). Precondition: that they are certain, which they are where lanes were.
 template <class D>
-HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> rises) {
+HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> rises,
+                                 hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto& k = surface.local;
   if (surface.kind == SurfaceKind::plane) {
     const Triples<V> normal{hn::Set(d, k[Form::x]), hn::Set(d, k[Form::y]), hn::Set(d, k[Form::z])};
     const V value = hn::Add(dot(normal, line.near), hn::Set(d, k[Form::one]));
+    is_second = is_open = hn::MaskFromVec(hn::Zero(d));
     return hn::Div(hn::Neg(value), dot(normal, line.direction));
   }
   const QuadraticLanes<D> f = quadratic(d, line, k, surface.center);
@@ -37,6 +39,9 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
   const auto has_two = hn::Lt(hn::Add(a_error, a_error), hn::Abs(f.a));
   const auto second = hn::Not(hn::Xor(rises, hn::Gt(f.a, zero)));
   const V of_two = hn::IfThenElse(second, hn::Max(near, far), hn::Min(near, far));
+  is_second = hn::And(has_two, second);
+  // Of a surface that matters far away, too, exact arithmetic finds the other one and may number them otherwise.
+  is_open = surface.is_local ? hn::MaskFromVec(zero) : hn::Not(has_two);
   return hn::IfThenElse(has_two, of_two, near);
 }
 
@@ -91,19 +96,20 @@ HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const 
                                         row(Form::zz, q.z, Form::xz, q.x, Form::yz, q.y, Form::z)});
 }
 
-/// t, places and normals of the hits of one packet, surface by surface. Returns the lanes that need the scalar code:
-/// those without a gradient.
+/// t, places and normals of the hits of one packet, surface by surface. Returns the lanes that need the scalar code.
 template <class D>
 HWY_INLINE hn::Mask<D> tell_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
                                  hn::Mask<D> hits, const std::uint64_t* slots, hn::Mask<D> rises, hn::Mask<D> enters,
-                                 bool wants_faces, hn::Vec<D>& t, Triples<hn::Vec<D>>& place,
-                                 Triples<hn::Vec<D>>& normal) {
+                                 bool wants_faces, hn::Vec<D>& t, hn::Mask<D>& is_second,
+                                 Triples<hn::Vec<D>>& place, Triples<hn::Vec<D>>& normal) {
   using V = hn::Vec<D>;
   const BitsOf<D> bits;
   HWY_ALIGN std::uint64_t ids[16];
   for (std::size_t i = 0; i < hn::Lanes(d); ++i) ids[i] = cells.slots[slots[i]].surface;
   const auto surface_of = hn::Load(bits, ids);
   V tau = hn::Zero(d);
+  is_second = hn::MaskFromVec(tau);
+  hn::Mask<D> open = is_second;
   const V zero = hn::Zero(d);
   normal = {zero, zero, zero};
   place = {zero, zero, zero};
@@ -112,7 +118,10 @@ HWY_INLINE hn::Mask<D> tell_hits(D d, const Scene& scene, const CellData& cells,
     const auto same = hn::And(rest, hn::RebindMask(d, hn::Eq(surface_of, hn::Set(bits, id))));
     rest = hn::AndNot(same, rest);
     const Surface& surface = scene.surfaces()[id];
-    const V own = crossing_tau(d, line, surface, rises);
+    hn::Mask<D> second, is_open;
+    const V own = crossing_tau(d, line, surface, rises, second, is_open);
+    open = hn::Or(open, hn::And(same, is_open));
+    is_second = hn::Or(is_second, hn::And(same, second));
     tau = hn::IfThenElse(same, own, tau);
     if (!wants_faces) continue;
     const auto p = place_of(d, line, scene.frame(), own);
@@ -126,10 +135,10 @@ HWY_INLINE hn::Mask<D> tell_hits(D d, const Scene& scene, const CellData& cells,
   const auto outside_is_positive = hn::Xor(enters, rises);
   const auto turned = [&](V n) { return hn::IfThenElse(outside_is_positive, n, hn::Neg(n)); };
   t = hn::Mul(hn::Add(line.shift, tau), line.unit);
-  if (!wants_faces) return hn::MaskFromVec(zero);
-  const auto has_no_normal = hn::And(hits, hn::Eq(longest(normal), zero));
+  if (!wants_faces) return open;
+  open = hn::Or(open, hn::And(hits, hn::Eq(longest(normal), zero)));
   normal = {turned(normal.x), turned(normal.y), turned(normal.z)};
-  return has_no_normal;
+  return open;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -99,6 +99,7 @@ struct LineLanes {
   V guard[3];     ///< how near a plane square to the axis must be to be left to the caster; below 0: never
   M is_negative[3];
   V start, end;  ///< tau
+  V end_error;   ///< four times what the end is off
   V slack;       ///< four times what an event with a plane square to an axis may be off
   M valid;
 };
@@ -199,10 +200,14 @@ HWY_INLINE void prepare_walk(D d, const CellData& cells, const LaneRays& rays, s
     line.inverse[2] = inverse_of(line.cell_direction.z);
   }
   line.start = hn::Neg(line.shift);
+  if (rays.whole_line) line.start = hn::Neg(hn::Inf(d));
   line.end = hn::Inf(d);
+  line.end_error = zero;
   if (rays.end != nullptr) {
     const V end = load(d, rays.end, first, count);
     line.end = hn::Sub(hn::Div(end, line.unit), line.shift);
+    const auto is_finite = hn::Lt(line.end, hn::Inf(d));
+    line.end_error = hn::IfThenElseZero(is_finite, hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Abs(line.end)));
   }
 }
 

@@ -12,7 +12,14 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-enum class Wanted : std::uint8_t { first, any };
+enum class Wanted : std::uint8_t { first, any, all };
+
+/// The ends of the intervals of a packet's rays, in order.
+struct LaneEnds {
+  std::size_t count[16];
+  std::uint32_t slot[16][most_lane_ends];
+  bool rises[16][most_lane_ends];
+};
 
 /// One packet's way through the cells. A lane is live until its answer is known; what happens to it is in `fate`.
 template <class D, Wanted wanted>
@@ -23,8 +30,9 @@ class Walk {
   using Bits = BitsOf<D>;
   using U = hn::Vec<Bits>;
 
-  Walk(const CellData& cells, const LineLanes<D>& line, const Departures<D>* departures, LaneCounts& counts)
-      : cells_(cells), line_(line), departures_(departures), counts_(counts) {}
+  Walk(const CellData& cells, const LineLanes<D>& line, const Departures<D>* departures, LaneEnds* ends,
+       LaneCounts& counts)
+      : cells_(cells), line_(line), departures_(departures), ends_(ends), counts_(counts) {}
 
   /// `lanes`: those that hold a ray.
   HWY_INLINE void run(M lanes) {
@@ -32,7 +40,8 @@ class Walk {
     const V zero = hn::Zero(d);
     flagged_ = hn::AndNot(line_.valid, lanes);
     live_ = hn::And(lanes, line_.valid);
-    found_ = begun_ = now_inside_ = hn::MaskFromVec(zero);
+    found_ = begun_ = now_inside_ = started_inside_ = hn::MaskFromVec(zero);
+    if constexpr (wanted == Wanted::all) std::fill_n(ends_->count, hn::Lanes(d), std::size_t{0});
     slot_ = rises_ = hn::Zero(Bits());
     V from = line_.start;
     V to = line_.end;
@@ -62,6 +71,7 @@ class Walk {
   M flagged() const { return flagged_; }
   M found() const { return found_; }     ///< the lanes that have an answer but a miss
   M inside() const { return now_inside_; }  ///< of those: that are inside right after
+  M started_inside() const { return started_inside_; }
   U slot() const { return slot_; }
   U rises() const { return rises_; }     ///< not zero: the surface turns positive
 
@@ -146,6 +156,7 @@ class Walk {
   HWY_INLINE void begin(M lanes, M inside) {
     begun_ = hn::Or(begun_, lanes);
     now_inside_ = hn::Or(hn::AndNot(lanes, now_inside_), hn::And(lanes, inside));
+    started_inside_ = hn::Or(started_inside_, hn::And(lanes, inside));
     if constexpr (wanted == Wanted::any) {
       found_ = hn::Or(found_, hn::And(lanes, inside));
       live_ = hn::AndNot(hn::And(lanes, inside), live_);
@@ -262,7 +273,7 @@ class Walk {
     M todo = hn::And(active, hn::Le(next, limit));
     if (hn::AllFalse(d, todo)) return;
     // Close to the end of what is asked nothing is certain.
-    flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, slack))));
+    flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, hn::Add(slack, line_.end_error)))));
     todo = hn::And(todo, live_);
     U state = state_at(cell, at);
     M inside = value_of(cell, state);
@@ -288,7 +299,7 @@ class Walk {
       next = next_after(cell, at);
       todo = hn::And(todo, hn::Le(next, limit));
       if (hn::AllFalse(d, todo)) return;
-      flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, slack))));
+      flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, hn::Add(slack, line_.end_error)))));
       todo = hn::And(todo, live_);
     }
   }
@@ -321,12 +332,36 @@ class Walk {
 
   HWY_INLINE void record(const Cell& cell, M changes, U flips, U after) {
     const Bits bits;
+    if (hn::AllFalse(D(), changes)) return;
     const auto lanes = hn::RebindMask(bits, changes);
     const U index = hn::Sub(hn::Set(bits, 63), leading_zeros(flips));
+    if constexpr (wanted == Wanted::all) return append(cell, changes, index, hn::And(flips, after));
     slot_ = hn::IfThenElse(lanes, hn::Add(hn::Set(bits, cell.first_slot), index), slot_);
     rises_ = hn::IfThenElse(lanes, hn::And(flips, after), rises_);
     found_ = hn::Or(found_, changes);
     live_ = hn::AndNot(changes, live_);
+  }
+
+  void append(const Cell& cell, M changes, U index, U rises) {
+    const D d;
+    const Bits bits;
+    HWY_ALIGN std::uint64_t slots[16];
+    HWY_ALIGN std::uint64_t rising[16];
+    HWY_ALIGN std::uint8_t mask[8];
+    hn::Store(index, bits, slots);
+    hn::Store(rises, bits, rising);
+    hn::StoreMaskBits(d, changes, mask);
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+      if (((mask[0] >> lane) & 1) == 0) continue;
+      const std::size_t n = ends_->count[lane];
+      if (n == most_lane_ends) {
+        flag(hn::Eq(hn::Iota(d, 0), hn::Set(d, static_cast<double>(lane))));
+        continue;
+      }
+      ends_->slot[lane][n] = static_cast<std::uint32_t>(cell.first_slot + slots[lane]);
+      ends_->rises[lane][n] = rising[lane] != 0;
+      ++ends_->count[lane];
+    }
   }
 
   HWY_INLINE U leading_zeros(U word) const {
@@ -344,9 +379,10 @@ class Walk {
   const CellData& cells_;
   const LineLanes<D>& line_;
   const Departures<D>* departures_;
+  LaneEnds* ends_;
   LaneCounts& counts_;
   Events<D> events_;
-  M live_, flagged_, found_, begun_, now_inside_;
+  M live_, flagged_, found_, begun_, now_inside_, started_inside_;
   U slot_, rises_;
 };
 

@@ -2,6 +2,7 @@
 // Compiled once for each instruction set, by including itself.
 #include "raycast/detail/lanes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -45,6 +46,60 @@ HWY_INLINE void store(D d, hn::Vec<D> v, double* to, std::size_t first, std::siz
   std::memcpy(to + first, buffer, count * sizeof(double));
 }
 
+template <class D>
+HWY_INLINE bool has(D, const std::uint8_t* mask, std::size_t lane) {
+  return ((mask[0] >> lane) & 1) != 0;
+}
+
+/// What a packet's rays found, as masks in memory.
+template <class D>
+struct Outcome {
+  HWY_ALIGN std::uint8_t flagged[8];
+  HWY_ALIGN std::uint8_t found[8];
+  HWY_ALIGN std::uint8_t inside[8];
+  HWY_ALIGN std::uint8_t second[8];
+  HWY_ALIGN std::uint64_t slots[16];
+  HWY_ALIGN std::uint64_t rises[16];
+};
+
+template <class D>
+HWY_INLINE void store_hits(D d, const Outcome<D>& outcome, std::size_t first, std::size_t count, const LaneHits& hits,
+                           LaneCounts& counts) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const LaneFate hit = has(d, outcome.inside, i) ? LaneFate::entry : LaneFate::exit;
+    const bool is_flagged = has(d, outcome.flagged, i);
+    counts.flagged += is_flagged ? 1 : 0;
+    hits.fate[first + i] = is_flagged ? LaneFate::flagged : has(d, outcome.found, i) ? hit : LaneFate::miss;
+    if (hits.slot == nullptr) continue;
+    hits.slot[first + i] = static_cast<std::uint32_t>(outcome.slots[i]);
+    hits.rises[first + i] = outcome.rises[i] != 0 ? 1 : 0;
+    if (hits.root != nullptr) hits.root[first + i] = has(d, outcome.second, i) ? 1 : 0;
+  }
+}
+
+/// t of the packet's hits, and the faces there if they are wanted. Adds to the flagged lanes.
+template <class D>
+HWY_INLINE void store_faces(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
+                            hn::Mask<D> found, hn::Mask<D> inside, Outcome<D>& outcome, std::size_t first,
+                            std::size_t count, const LaneHits& hits, hn::Mask<D>& flagged) {
+  const BitsOf<D> bits;
+  hn::Vec<D> t;
+  hn::Mask<D> second;
+  Triples<hn::Vec<D>> place, normal;
+  const auto rises = hn::RebindMask(d, hn::Ne(hn::Load(bits, outcome.rises), hn::Zero(bits)));
+  const bool wants_faces = hits.point[0] != nullptr;
+  flagged = hn::Or(flagged, tell_hits(d, scene, cells, line, found, outcome.slots, rises, inside, wants_faces, t,
+                                      second, place, normal));
+  hn::StoreMaskBits(d, second, outcome.second);
+  store(d, t, hits.t, first, count);
+  if (!wants_faces) return;
+  const hn::Vec<D> of[6] = {place.x, place.y, place.z, normal.x, normal.y, normal.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    store(d, of[i], hits.point[i], first, count);
+    store(d, of[3 + i], hits.normal[i], first, count);
+  }
+}
+
 template <class D, Wanted wanted>
 HWY_INLINE void cast(const Scene& scene, const CellData& cells, const LaneRays& rays, const LaneHits& hits,
                      LaneCounts& counts) {
@@ -53,7 +108,8 @@ HWY_INLINE void cast(const Scene& scene, const CellData& cells, const LaneRays& 
   const std::size_t lanes = hn::Lanes(d);
   LineLanes<D> line;
   Departures<D> departures;
-  Walk<D, wanted> walk(cells, line, rays.departure != nullptr ? &departures : nullptr, counts);
+  Outcome<D> outcome{};
+  Walk<D, wanted> walk(cells, line, rays.departure != nullptr ? &departures : nullptr, nullptr, counts);
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = HWY_MIN(lanes, rays.count - first);
     set_line(d, scene.frame(), rays, first, count, line);
@@ -62,47 +118,100 @@ HWY_INLINE void cast(const Scene& scene, const CellData& cells, const LaneRays& 
     walk.run(hn::FirstN(d, count));
     counts.rays += count;
     ++counts.packets;
-
-    HWY_ALIGN std::uint64_t slots[16];
-    HWY_ALIGN std::uint64_t rises[16];
-    hn::Store(walk.slot(), bits, slots);
-    hn::Store(walk.rises(), bits, rises);
     auto flagged = walk.flagged();
     const auto found = hn::AndNot(flagged, walk.found());
     if constexpr (wanted == Wanted::first) {
-      if (!hn::AllFalse(d, found)) {
-        hn::Vec<D> t;
-        Triples<hn::Vec<D>> place, normal;
-        const auto is_rising = hn::RebindMask(d, hn::Ne(walk.rises(), hn::Zero(bits)));
-        const bool wants_faces = hits.point[0] != nullptr;
-        flagged = hn::Or(flagged, tell_hits(d, scene, cells, line, found, slots, is_rising, walk.inside(), wants_faces,
-                                            t, place, normal));
-        store(d, t, hits.t, first, count);
-        if (wants_faces) {
-          const hn::Vec<D> of[6] = {place.x, place.y, place.z, normal.x, normal.y, normal.z};
-          for (std::size_t i = 0; i < 3; ++i) {
-            store(d, of[i], hits.point[i], first, count);
-            store(d, of[3 + i], hits.normal[i], first, count);
-          }
-        }
-      }
+      hn::Store(walk.slot(), bits, outcome.slots);
+      hn::Store(walk.rises(), bits, outcome.rises);
+      if (!hn::AllFalse(d, found))
+        store_faces(d, scene, cells, line, found, walk.inside(), outcome, first, count, hits, flagged);
     }
-    HWY_ALIGN std::uint8_t of_flagged[8];
-    HWY_ALIGN std::uint8_t of_found[8];
-    HWY_ALIGN std::uint8_t of_inside[8];
-    hn::StoreMaskBits(d, flagged, of_flagged);
-    hn::StoreMaskBits(d, found, of_found);
-    hn::StoreMaskBits(d, walk.inside(), of_inside);
+    hn::StoreMaskBits(d, flagged, outcome.flagged);
+    hn::StoreMaskBits(d, found, outcome.found);
+    hn::StoreMaskBits(d, walk.inside(), outcome.inside);
+    store_hits(d, outcome, first, count, hits, counts);
+  }
+}
+
+/// t of the ends of a packet's rays, the first of all rays, then the second, ..
+template <class D>
+HWY_INLINE void tell_ends(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
+                          const LaneEnds& found, std::size_t count, LaneLists& lists) {
+  const BitsOf<D> bits;
+  const std::size_t base = lists.ends.size();
+  std::size_t start[16];
+  std::size_t total = 0;
+  std::size_t longest_list = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    start[i] = base + total;
+    total += found.count[i];
+    longest_list = HWY_MAX(longest_list, found.count[i]);
+    lists.offsets.push_back(base + total);
+  }
+  lists.ends.resize(base + total);
+  HWY_ALIGN std::uint64_t slots[16];
+  HWY_ALIGN std::uint64_t rises[16];
+  HWY_ALIGN std::uint64_t there[16];
+  HWY_ALIGN double at[16];
+  HWY_ALIGN std::uint8_t second[8];
+  for (std::size_t k = 0; k < longest_list; ++k) {
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+      there[i] = i < count && k < found.count[i] ? 1 : 0;
+      slots[i] = there[i] != 0 ? found.slot[i][k] : 0;
+      rises[i] = there[i] != 0 && found.rises[i][k] ? 1 : 0;
+    }
+    const auto as_mask = [&](const std::uint64_t* values) {
+      return hn::RebindMask(d, hn::Ne(hn::Load(bits, values), hn::Zero(bits)));
+    };
+    const auto hits = as_mask(there);
+    hn::Vec<D> t;
+    hn::Mask<D> is_second;
+    Triples<hn::Vec<D>> place, normal;
+    const auto open =
+        tell_hits(d, scene, cells, line, hits, slots, as_mask(rises), hits, false, t, is_second, place, normal);
+    HWY_ALIGN std::uint8_t open_bits[8];
+    hn::StoreMaskBits(d, open, open_bits);
+    hn::Store(t, d, at);
+    hn::StoreMaskBits(d, is_second, second);
     for (std::size_t i = 0; i < count; ++i) {
-      const auto has = [i](const std::uint8_t* mask) { return ((mask[0] >> i) & 1) != 0; };
-      const LaneFate hit = has(of_inside) ? LaneFate::entry : LaneFate::exit;
-      counts.flagged += has(of_flagged) ? 1 : 0;
-      hits.fate[first + i] = has(of_flagged) ? LaneFate::flagged : has(of_found) ? hit : LaneFate::miss;
-      if (hits.slot != nullptr) {
-        hits.slot[first + i] = static_cast<std::uint32_t>(slots[i]);
-        hits.rises[first + i] = rises[i] != 0 ? 1 : 0;
-      }
+      if (there[i] == 0) continue;
+      if (has(d, open_bits, i)) lists.is_flagged[lists.is_flagged.size() - count + i] = true;
+      lists.ends[start[i] + k] = {at[i], static_cast<std::uint32_t>(slots[i]),
+                                  static_cast<std::uint8_t>(has(d, second, i) ? 1 : 0), rises[i] != 0};
     }
+  }
+}
+
+template <class D>
+HWY_INLINE void cast_lists(const Scene& scene, const CellData& cells, const LaneRays& rays, LaneLists& lists,
+                           LaneCounts& counts) {
+  const D d;
+  const std::size_t lanes = hn::Lanes(d);
+  LineLanes<D> line;
+  LaneEnds ends;
+  Walk<D, Wanted::all> walk(cells, line, nullptr, &ends, counts);
+  lists.ends.clear();
+  lists.offsets.assign(1, 0);
+  lists.starts_inside.clear();
+  lists.is_flagged.clear();
+  for (std::size_t first = 0; first < rays.count; first += lanes) {
+    const std::size_t count = HWY_MIN(lanes, rays.count - first);
+    set_line(d, scene.frame(), rays, first, count, line);
+    prepare_walk(d, cells, rays, first, count, line);
+    walk.run(hn::FirstN(d, count));
+    counts.rays += count;
+    ++counts.packets;
+    HWY_ALIGN std::uint8_t flagged[8];
+    HWY_ALIGN std::uint8_t inside[8];
+    hn::StoreMaskBits(d, walk.flagged(), flagged);
+    hn::StoreMaskBits(d, walk.started_inside(), inside);
+    for (std::size_t i = 0; i < count; ++i) {
+      lists.is_flagged.push_back(has(d, flagged, i));
+      lists.starts_inside.push_back(has(d, inside, i));
+      counts.flagged += has(d, flagged, i) ? 1 : 0;
+      if (has(d, flagged, i)) ends.count[i] = 0;
+    }
+    tell_ends(d, scene, cells, line, ends, count, lists);
   }
 }
 
@@ -119,6 +228,15 @@ void first_hits_single(const Scene& scene, const CellData& cells, const LaneRays
   cast<Single, Wanted::first>(scene, cells, rays, hits, counts);
 }
 
+void lists(const Scene& scene, const CellData& cells, const LaneRays& rays, LaneLists& found, LaneCounts& counts) {
+  cast_lists<Packet>(scene, cells, rays, found, counts);
+}
+
+void lists_single(const Scene& scene, const CellData& cells, const LaneRays& rays, LaneLists& found,
+                  LaneCounts& counts) {
+  cast_lists<Single>(scene, cells, rays, found, counts);
+}
+
 void any_hits(const Scene& scene, const CellData& cells, const LaneRays& rays, const LaneHits& hits,
               LaneCounts& counts) {
   cast<Packet, Wanted::any>(scene, cells, rays, hits, counts);
@@ -130,7 +248,7 @@ void any_hits_single(const Scene& scene, const CellData& cells, const LaneRays& 
 }
 
 LaneCode lane_code(std::string_view name) {
-  return {name, hn::Lanes(Packet()), first_hits, first_hits_single, any_hits, any_hits_single};
+  return {name, hn::Lanes(Packet()), first_hits, first_hits_single, lists, lists_single, any_hits, any_hits_single};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "raycast/detail/cell_data.h"
 #include "raycast/scene.h"
@@ -24,6 +25,7 @@ struct LaneRays {
   const double* direction[3] = {};
   const std::uint32_t* departure = nullptr;  ///< the surface that each ray starts on, or Id's none; null: no ray does
   const std::uint8_t* departs_positive = nullptr;  ///< on which side of it
+  bool whole_line = false;      ///< from -infinity on, not from 0; no ray departs then
   const double* end = nullptr;  ///< the t up to which each ray is asked; null: for all of [0, infinity)
 };
 
@@ -34,8 +36,27 @@ struct LaneHits {
   double* t = nullptr;
   std::uint32_t* slot = nullptr;       ///< index in CellData::slots
   std::uint8_t* rises = nullptr;       ///< the surface turns from negative to positive
+  std::uint8_t* root = nullptr;        ///< which of the surface's crossings it is (Crossing::root)
   double* point[3] = {};               ///< in the world
   double* normal[3] = {};              ///< unit, out of the solid
+};
+
+/// A ray with more ends of intervals is flagged.
+constexpr std::size_t most_lane_ends = 256;
+
+/// The ends of intervals, ray by ray; an interval that has no end of its own begins before or ends after what was
+/// asked.
+struct LaneLists {
+  struct End {
+    double t;
+    std::uint32_t slot;
+    std::uint8_t root;
+    bool rises;
+  };
+  std::vector<End> ends;
+  std::vector<std::size_t> offsets;        ///< where each ray's ends begin, and the end of the last; rays + 1
+  std::vector<bool> starts_inside;         ///< by ray
+  std::vector<bool> is_flagged;            ///< by ray
 };
 
 /// Work done.
@@ -54,6 +75,8 @@ struct LaneCode {
   std::size_t lanes;
   void (*first_hits)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
   void (*first_hits_single)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
+  void (*lists)(const Scene&, const CellData&, const LaneRays&, LaneLists&, LaneCounts&);
+  void (*lists_single)(const Scene&, const CellData&, const LaneRays&, LaneLists&, LaneCounts&);
   /// Whether the rays meet the inside: fate is entry, miss or flagged.
   void (*any_hits)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
   void (*any_hits_single)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);

@@ -33,7 +33,10 @@ FamilyOutcome run_family(const Family& family, std::uint64_t first_seed, std::ui
     for (const verify::Mismatch& mismatch : mismatches) outcome.differences.push_back(to_text(seed, mismatch));
     // A family whose trials have no rays would go on for ever.
   } while (tallies.front().rays < rays && outcome.trials < rays);
-  for (const verify::Tally& tally : tallies) outcome.tally += tally;
+  // The definition's own counts, and what any engine got wrong.
+  outcome.tally = tallies.front();
+  for (const verify::Tally& tally : std::span(tallies).subspan(1)) outcome.tally.wrong += tally.wrong;
+  outcome.left_to_caster = tallies[1].flagged;
   return outcome;
 }
 

@@ -23,8 +23,8 @@ VerificationReport report_of(const Scene& scene, std::uint64_t rays, int threads
   return verify::verify_scene(scene, options, kinds);
 }
 
-constexpr EngineKind uncertified{
-    "uncertified", [](const Scene& scene) { return verify::scalar_engine(scene, uncertified_predicates()); }};
+const EngineKind uncertified{
+    "uncertified", [](verify::Subject& s) { return verify::scalar_engine(s.scene(), uncertified_predicates()); }};
 
 // The right engine, but for one answer.
 template <Question question>
@@ -52,8 +52,7 @@ class Liar final : public verify::Engine {
 
 template <Question question>
 void check_caught(const Scene& scene) {
-  static constexpr EngineKind kind{
-      "liar", [](const Scene& s) -> std::unique_ptr<verify::Engine> { return std::make_unique<Liar<question>>(s); }};
+  const EngineKind kind{"liar", [](verify::Subject& s) { return std::make_unique<Liar<question>>(s.scene()); }};
   const VerificationReport report = report_of(scene, 60, 1, std::span(&kind, 1));
   CHECK(report.totals()[0].wrong > 20);
   REQUIRE(report.mismatches.size() == 10);

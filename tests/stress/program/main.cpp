@@ -51,7 +51,7 @@ int run(const Request& request) {
     return 2;
   }
   if (!request.only_list)
-    print_line(fmt::format("{:40} {:>9} {:>10} {:>9} {:>12} {:>6} {:>8}", "family", "rays", "intervals", "flagged",
+    print_line(fmt::format("{:40} {:>9} {:>10} {:>9} {:>9} {:>12} {:>6} {:>8}", "family", "rays", "intervals", "flagged", "not lanes",
                            "by exact", "wrong", "seconds"));
   std::uint64_t wrong = 0;
   for (const stress::Family* family : families) {
@@ -62,8 +62,8 @@ int run(const Request& request) {
     const auto start = Clock::now();
     const stress::FamilyOutcome outcome = stress::run_family(*family, request.seed, request.rays);
     const verify::Tally& tally = outcome.tally;
-    print_line(fmt::format("{:40} {:9} {:10} {:9} {:12} {:6} {:8.1f}", family->name, tally.rays, tally.intervals,
-                           tally.flagged, tally.exact_decisions, tally.wrong,
+    print_line(fmt::format("{:40} {:9} {:10} {:9} {:9} {:12} {:6} {:8.1f}", family->name, tally.rays, tally.intervals,
+                           tally.flagged, outcome.left_to_caster, tally.exact_decisions, tally.wrong,
                            std::chrono::duration<double>(Clock::now() - start).count()));
     for (const std::string& difference : outcome.differences) print_line("  " + difference);
     wrong += tally.wrong;

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/packet_caster.h"
+
+#include <algorithm>
+#include <array>
+
+#include "csg/error.h"
+#include "raycast/detail/lanes.h"
+#include "raycast/interval_list.h"
+
+namespace csgcast {
+namespace {
+
+// Bounds the memory, and is many packets.
+constexpr std::size_t rays_at_once = 256;
+
+const detail::LaneCode& code_named(std::string_view instructions) {
+  const auto codes = detail::lane_codes();
+  if (instructions.empty()) return codes.front();
+  const auto named = std::find_if(codes.begin(), codes.end(),
+                                  [&](const detail::LaneCode& code) { return code.name == instructions; });
+  if (named != codes.end()) return *named;
+  throw Error(ErrorCode::usage, {}, "no instruction set is called " + std::string(instructions),
+              "this machine has others", "ask PacketCaster::instruction_sets()");
+}
+
+}  // namespace
+
+struct PacketCaster::State {
+  State(const Cells& c, Width w, std::string_view instructions)
+      : cells(c), width(w), code(code_named(instructions)), caster(c.scene()) {}
+
+  void load(std::span<const Ray> rays) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Point o = rays[i].origin();
+      const Vector d = rays[i].direction();
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        origin[axis][i] = o[axis];
+        direction[axis][i] = d[axis];
+      }
+    }
+    lane_rays.count = rays.size();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lane_rays.origin[axis] = origin[axis].data();
+      lane_rays.direction[axis] = direction[axis].data();
+    }
+  }
+
+  SurfaceId surface_of(std::uint32_t slot_index) const { return SurfaceId(cells.data().slots[slot_index].surface); }
+
+  const Cells& cells;
+  Width width;
+  const detail::LaneCode& code;
+  Caster caster;
+  detail::LaneRays lane_rays;
+  detail::LaneCounts counts;
+  detail::LaneLists lists;
+  std::array<std::array<double, rays_at_once>, 3> origin;
+  std::array<std::array<double, rays_at_once>, 3> direction;
+  std::array<detail::LaneFate, rays_at_once> fate;
+  std::array<double, rays_at_once> t;
+  std::array<std::uint32_t, rays_at_once> slot;
+  std::array<std::uint8_t, rays_at_once> rises;
+  std::array<std::uint8_t, rays_at_once> root;
+  IntervalList list;
+};
+
+PacketCaster::PacketCaster(const Cells& cells, Width width, std::string_view instructions)
+    : state_(std::make_unique<State>(cells, width, instructions)) {}
+PacketCaster::~PacketCaster() = default;
+PacketCaster::PacketCaster(PacketCaster&&) noexcept = default;
+
+std::vector<std::string_view> PacketCaster::instruction_sets() {
+  std::vector<std::string_view> names;
+  for (const detail::LaneCode& code : detail::lane_codes()) names.push_back(code.name);
+  return names;
+}
+
+const Scene& PacketCaster::scene() const { return state_->cells.scene(); }
+
+void PacketCaster::first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding) {
+  State& state = *state_;
+  for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
+    const auto packet = rays.subspan(begin, std::min(rays_at_once, rays.size() - begin));
+    state.load(packet);
+    detail::LaneHits found;
+    found.fate = state.fate.data();
+    found.t = state.t.data();
+    found.slot = state.slot.data();
+    found.rises = state.rises.data();
+    found.root = state.root.data();
+    const auto cast = state.width == Width::packet ? state.code.first_hits : state.code.first_hits_single;
+    cast(scene(), state.cells.data(), state.lane_rays, found, state.counts);
+    for (std::size_t i = 0; i < packet.size(); ++i) {
+      std::optional<Hit>& hit = hits[begin + i];
+      hit.reset();
+      if (state.fate[i] == detail::LaneFate::miss) continue;
+      if (state.fate[i] == detail::LaneFate::flagged) {
+        state.caster.begin(packet[i]);
+        hit = state.caster.first_hit(state.cells.node(), {}, rounding);
+        continue;
+      }
+      const Passage passage = state.fate[i] == detail::LaneFate::entry ? Passage::entry : Passage::exit;
+      hit = Hit{{state.t[i], state.surface_of(state.slot[i]), state.root[i]}, passage};
+      if (rounding == Rounding::close) continue;
+      state.caster.begin(packet[i]);
+      hit->crossing = state.caster.reported(hit->crossing);
+    }
+  }
+}
+
+void PacketCaster::any_hits(std::span<const Ray> rays, std::span<std::uint8_t> hits) {
+  State& state = *state_;
+  for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
+    const auto packet = rays.subspan(begin, std::min(rays_at_once, rays.size() - begin));
+    state.load(packet);
+    detail::LaneHits found;
+    found.fate = state.fate.data();
+    const auto cast = state.width == Width::packet ? state.code.any_hits : state.code.any_hits_single;
+    cast(scene(), state.cells.data(), state.lane_rays, found, state.counts);
+    for (std::size_t i = 0; i < packet.size(); ++i) {
+      bool hit = state.fate[i] != detail::LaneFate::miss;
+      if (state.fate[i] == detail::LaneFate::flagged) {
+        state.caster.begin(packet[i]);
+        hit = state.caster.any_hit(state.cells.node());
+      }
+      hits[begin + i] = hit ? 1 : 0;
+    }
+  }
+}
+
+void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span, Rounding rounding) {
+  State& state = *state_;
+  batch.intervals.clear();
+  batch.offsets.assign(1, 0);
+  batch.offsets.reserve(rays.size() + 1);
+  batch.left_to_caster.clear();
+  const bool fits_lanes = (span.from == 0 || span.from == line_start().t) && span.to > span.from;
+  std::array<double, rays_at_once> end;
+  end.fill(span.to);
+  for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
+    const auto packet = rays.subspan(begin, std::min(rays_at_once, rays.size() - begin));
+    if (fits_lanes) {
+      state.load(packet);
+      state.lane_rays.whole_line = span.from != 0;
+      state.lane_rays.end = span.to == line_end().t ? nullptr : end.data();
+      const auto cast = state.width == Width::packet ? state.code.lists : state.code.lists_single;
+      cast(scene(), state.cells.data(), state.lane_rays, state.lists, state.counts);
+      state.lane_rays = {};
+    }
+    for (std::size_t i = 0; i < packet.size(); ++i) {
+      const bool is_known = fits_lanes && !state.lists.is_flagged[i];
+      if (!is_known || rounding == Rounding::nearest) state.caster.begin(packet[i]);
+      if (!is_known) {
+        state.caster.intervals(state.cells.node(), state.list, span);
+        batch.intervals.insert(batch.intervals.end(), state.list.begin(), state.list.end());
+      } else {
+        bool inside = state.lists.starts_inside[i];
+        Crossing entry{span.from, {}, 0};
+        for (std::size_t k = state.lists.offsets[i]; k < state.lists.offsets[i + 1]; ++k) {
+          const detail::LaneLists::End& found = state.lists.ends[k];
+          Crossing at{found.t, state.surface_of(found.slot), found.root};
+          if (rounding == Rounding::nearest) at = state.caster.reported(at);
+          if (inside) {
+            batch.intervals.push_back({entry, at});
+          } else {
+            entry = at;
+          }
+          inside = !inside;
+        }
+        if (inside) batch.intervals.push_back({entry, {span.to, {}, 1}});
+      }
+      batch.offsets.push_back(batch.intervals.size());
+      batch.left_to_caster.push_back(is_known ? 0 : 1);
+    }
+  }
+}
+
+PacketCounts PacketCaster::counts() const {
+  const detail::LaneCounts& c = state_->counts;
+  return {c.rays, c.packets, c.nodes, c.cells, c.surface_tests, c.flagged};
+}
+
+CasterCounts PacketCaster::caster_counts() const { return state_->caster.counts(); }
+
+}  // namespace csgcast

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "raycast/caster.h"
+#include "raycast/cells.h"
+
+namespace csgcast {
+
+/// The interval lists of many rays: those of ray i are intervals[offsets[i]] to intervals[offsets[i + 1]], exclusive.
+struct IntervalBatch {
+  std::vector<Interval> intervals;
+  std::vector<std::size_t> offsets;           ///< rays + 1
+  std::vector<std::uint8_t> left_to_caster;  ///< by ray: 1 if lanes could not decide it
+
+  std::span<const Interval> of(std::size_t ray) const {
+    return std::span(intervals).subspan(offsets[ray], offsets[ray + 1] - offsets[ray]);
+  }
+};
+
+/// Work done by packets.
+struct PacketCounts {
+  std::uint64_t rays = 0;
+  std::uint64_t packets = 0;
+  std::uint64_t nodes = 0;          ///< of the kd-tree that packets passed
+  std::uint64_t cells = 0;          ///< that packets visited
+  std::uint64_t surface_tests = 0;  ///< surfaces that packets were tested with
+  std::uint64_t flagged = 0;        ///< rays left to the caster
+};
+
+/// Answers many rays at once, a ray in each lane of the machine's vector registers: the same answers as Caster's, to the
+/// last bit. Fast for rays that go about the same way, next to each other in the span; right for any. Rays that lanes
+/// cannot decide go to a Caster, one by one.
+///
+/// The working memory of one thread.
+class PacketCaster {
+ public:
+  /// How many rays share a register.
+  enum class Width : std::uint8_t { packet, single };
+
+  /// The cells must outlive the caster. `instructions`: one of instruction_sets(); by default the best.
+  explicit PacketCaster(const Cells& cells, Width width = Width::packet, std::string_view instructions = {});
+  ~PacketCaster();
+  PacketCaster(PacketCaster&&) noexcept;
+
+  /// Those that this machine has, the best first.
+  static std::vector<std::string_view> instruction_sets();
+
+  const Scene& scene() const;
+
+  /// The first crossing of each ray in [0, infinity): Caster::first_hit. `hits`: as many as rays.
+  void first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding = Rounding::nearest);
+  /// Whether each ray meets the inside of the solid: Caster::any_hit. 1 or 0, as many as rays.
+  void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> hits);
+  /// All intervals of each ray in the span: Caster::intervals. Overwrites the batch.
+  void intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span = {},
+                 Rounding rounding = Rounding::nearest);
+
+  PacketCounts counts() const;
+  /// What the rays cost that were left to it.
+  CasterCounts caster_counts() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace csgcast
