@@ -267,7 +267,8 @@ class Walk {
   HWY_INLINE void sweep(const Cell& cell, V from, V to, M active) {
     const D d;
     const V slack = events_.slack;
-    const V limit = hn::Add(to, slack);
+    // Finite: an event at infinity is none.
+    const V limit = hn::Min(hn::Add(to, slack), hn::Set(d, std::numeric_limits<double>::max()));
     V at = hn::Add(from, slack);
     V next = next_after(cell, at);
     M todo = hn::And(active, hn::Le(next, limit));
