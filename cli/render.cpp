@@ -111,7 +111,7 @@ void render_picture(const RenderCommandOptions& options, Job& job, const SceneIn
   if (options.stats.empty()) return;
   Output stats(options.stats);
   stats.write(render_stats(job.render, report,
-                           {input.read_seconds, input.compile_seconds, report.seconds, write_watch.seconds()}));
+                           {input.read_seconds, input.compile_seconds, report.cells_seconds, report.seconds, write_watch.seconds()}));
   stats.commit();
 }
 

@@ -10,6 +10,7 @@ namespace csgcast::cli {
 struct StageSeconds {
   double read = 0;
   double compile = 0;
+  double cells = 0;
   double trace = 0;
   double write = 0;
 };

@@ -26,6 +26,16 @@ const detail::LaneCode& code_named(std::string_view instructions) {
 
 }  // namespace
 
+PacketCounts& PacketCounts::operator+=(const PacketCounts& other) {
+  rays += other.rays;
+  packets += other.packets;
+  nodes += other.nodes;
+  cells += other.cells;
+  surface_tests += other.surface_tests;
+  flagged += other.flagged;
+  return *this;
+}
+
 struct PacketCaster::State {
   State(const Cells& c, Width w, std::string_view instructions)
       : cells(c), width(w), code(code_named(instructions)), caster(c.scene()) {}
@@ -52,9 +62,12 @@ struct PacketCaster::State {
   Width width;
   const detail::LaneCode& code;
   Caster caster;
-  detail::LaneRays lane_rays;
+  RayArrays lane_rays;
   detail::LaneCounts counts;
   detail::LaneLists lists;
+  std::vector<detail::LaneFate> fates;
+  std::vector<std::uint32_t> slots;
+  std::vector<std::uint8_t> rising;
   std::array<std::array<double, rays_at_once>, 3> origin;
   std::array<std::array<double, rays_at_once>, 3> direction;
   std::array<detail::LaneFate, rays_at_once> fate;
@@ -173,6 +186,99 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
       batch.offsets.push_back(batch.intervals.size());
       batch.left_to_caster.push_back(is_known ? 0 : 1);
     }
+  }
+}
+
+namespace {
+
+Ray ray_at(const RayArrays& rays, std::size_t i) {
+  return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
+          {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}};
+}
+
+void begin(Caster& caster, const RayArrays& rays, std::size_t i) {
+  std::optional<Departure> departure;
+  if (rays.departure != nullptr) {
+    const Sense side = rays.departs_positive[i] != 0 ? Sense::positive : Sense::negative;
+    departure = Departure{SurfaceId(rays.departure[i]), side};
+  }
+  caster.begin(ray_at(rays, i), departure);
+}
+
+Span span_of(const RayArrays& rays, std::size_t i) {
+  Span span = rays.whole_line ? Span::line() : Span();
+  if (rays.end != nullptr) span.to = rays.end[i];
+  return span;
+}
+
+void set_face(const FaceArrays& faces, std::size_t i, const Hit& hit, const Attribution& face) {
+  faces.state[i] = hit.passage == Passage::entry ? FaceArrays::entry : FaceArrays::exit;
+  faces.t[i] = hit.crossing.t;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    faces.point[axis][i] = face.point[axis];
+    faces.normal[axis][i] = face.normal[axis];
+  }
+  faces.surface[i] = hit.crossing.surface.index();
+  faces.look[i] = face.look.index();
+  faces.comes_positive[i] = face.front == Sense::positive ? 1 : 0;
+  if (faces.leaf != nullptr) faces.leaf[i] = face.leaf.index();
+}
+
+}  // namespace
+
+void PacketCaster::first_faces(const RayArrays& rays, const FaceArrays& faces) {
+  State& state = *state_;
+  state.fates.resize(rays.count);
+  state.slots.resize(rays.count);
+  state.rising.resize(rays.count);
+  detail::LaneHits found;
+  found.fate = state.fates.data();
+  found.t = faces.t;
+  found.slot = state.slots.data();
+  found.rises = state.rising.data();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    found.point[axis] = faces.point[axis];
+    found.normal[axis] = faces.normal[axis];
+  }
+  const auto cast = state.width == Width::packet ? state.code.first_hits : state.code.first_hits_single;
+  cast(scene(), state.cells.data(), rays, found, state.counts);
+  // Without a bounded leaf places are computed another way (LineCache::point).
+  const bool has_frame = scene().bounded_leaves().is_finite();
+  for (std::size_t i = 0; i < rays.count; ++i) {
+    if (state.fates[i] == detail::LaneFate::miss) {
+      faces.state[i] = FaceArrays::none;
+      continue;
+    }
+    if (state.fates[i] != detail::LaneFate::flagged && has_frame) {
+      const detail::Slot& slot = state.cells.data().slots[state.slots[i]];
+      if (slot.look.valid() && (faces.leaf == nullptr || slot.leaf.valid())) {
+        faces.state[i] = state.fates[i] == detail::LaneFate::entry ? FaceArrays::entry : FaceArrays::exit;
+        faces.surface[i] = slot.surface;
+        faces.look[i] = slot.look.index();
+        faces.comes_positive[i] = state.rising[i] != 0 ? 0 : 1;
+        if (faces.leaf != nullptr) faces.leaf[i] = slot.leaf.index();
+        continue;
+      }
+    }
+    begin(state.caster, rays, i);
+    const std::optional<Hit> hit = state.caster.first_hit(state.cells.node(), span_of(rays, i), Rounding::close);
+    faces.state[i] = FaceArrays::none;
+    if (hit) set_face(faces, i, *hit, state.caster.attribute(state.cells.node(), *hit));
+  }
+}
+
+void PacketCaster::any_hits(const RayArrays& rays, std::uint8_t* hits) {
+  State& state = *state_;
+  state.fates.resize(rays.count);
+  detail::LaneHits found;
+  found.fate = state.fates.data();
+  const auto cast = state.width == Width::packet ? state.code.any_hits : state.code.any_hits_single;
+  cast(scene(), state.cells.data(), rays, found, state.counts);
+  for (std::size_t i = 0; i < rays.count; ++i) {
+    hits[i] = state.fates[i] != detail::LaneFate::miss ? 1 : 0;
+    if (state.fates[i] != detail::LaneFate::flagged) continue;
+    begin(state.caster, rays, i);
+    hits[i] = state.caster.any_hit(state.cells.node(), span_of(rays, i)) ? 1 : 0;
   }
 }
 

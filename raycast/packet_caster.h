@@ -10,6 +10,7 @@
 
 #include "raycast/caster.h"
 #include "raycast/cells.h"
+#include "raycast/ray_arrays.h"
 
 namespace csgcast {
 
@@ -32,6 +33,7 @@ struct PacketCounts {
   std::uint64_t cells = 0;          ///< that packets visited
   std::uint64_t surface_tests = 0;  ///< surfaces that packets were tested with
   std::uint64_t flagged = 0;        ///< rays left to the caster
+  PacketCounts& operator+=(const PacketCounts& other);
 };
 
 /// Answers many rays at once, a ray in each lane of the machine's vector registers: the same answers as Caster's, to the
@@ -61,6 +63,11 @@ class PacketCaster {
   /// All intervals of each ray in the span: Caster::intervals. Overwrites the batch.
   void intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span = {},
                  Rounding rounding = Rounding::nearest);
+
+  /// What Caster::first_hit and attribute say, for pictures: t is close to the nearest double, and rays are arrays.
+  void first_faces(const RayArrays& rays, const FaceArrays& faces);
+  /// any_hits for rays as arrays, which may depart from surfaces and end.
+  void any_hits(const RayArrays& rays, std::uint8_t* hits);
 
   PacketCounts counts() const;
   /// What the rays cost that were left to it.

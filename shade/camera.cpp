@@ -44,20 +44,25 @@ Vector right_of(Vector forward, Vector up) {
 
 }  // namespace
 
-Camera::Camera(const CameraDescription& description, int width, int height)
-    : parallel_(description.height.has_value()), eye_(description.eye), width_(width), height_(height) {
+Camera::Camera(const CameraDescription& description, int width, int height) {
   check(description);
-  forward_ = normalised(description.look_at - description.eye);
-  right_ = right_of(forward_, description.up);
-  up_ = cross(right_, forward_);
-  const double extent = parallel_ ? *description.height : 2 * std::tan(description.fov / 360 * std::numbers::pi);
-  pixel_ = extent / height_;
+  CameraFrame& f = frame_;
+  f.parallel = description.height.has_value();
+  f.eye = description.eye;
+  f.width = width;
+  f.height = height;
+  f.forward = normalised(description.look_at - description.eye);
+  f.right = right_of(f.forward, description.up);
+  f.up = cross(f.right, f.forward);
+  const double extent = f.parallel ? *description.height : 2 * std::tan(description.fov / 360 * std::numbers::pi);
+  f.pixel = extent / f.height;
 }
 
 Ray Camera::ray(double x, double y) const {
-  const Vector offset = pixel_ * ((x - width_ / 2) * right_ + (height_ / 2 - y) * up_);
-  if (parallel_) return {eye_ + offset, forward_};
-  return {eye_, normalised(forward_ + offset)};
+  const CameraFrame& f = frame_;
+  const Vector offset = f.pixel * ((x - f.width / 2) * f.right + (f.height / 2 - y) * f.up);
+  if (f.parallel) return {f.eye + offset, f.forward};
+  return {f.eye, normalised(f.forward + offset)};
 }
 
 }  // namespace csgcast

@@ -7,6 +7,19 @@
 
 namespace csgcast {
 
+/// What a camera's rays are made of: forward + pixel ((x - width / 2) right + (height / 2 - y) up) from the eye, or, of
+/// a parallel camera, forward from the eye moved by that offset.
+struct CameraFrame {
+  bool parallel = false;
+  Point eye;
+  Vector forward;
+  Vector right;  ///< unit, towards greater x
+  Vector up;     ///< unit, towards lesser y
+  double width = 1;
+  double height = 1;
+  double pixel = 1;  ///< the width of a pixel: at distance 1 (perspective) or anywhere (parallel)
+};
+
 /// The rays of a picture's pixels. Pixel (0, 0) is the top left one; its centre is at (0.5, 0.5).
 class Camera {
  public:
@@ -20,17 +33,12 @@ class Camera {
   Ray ray(double x, double y) const;
 
   /// The width of a pixel in the middle of the picture, at a distance along the ray.
-  double footprint(double distance) const { return parallel_ ? pixel_ : pixel_ * distance; }
+  double footprint(double distance) const { return frame_.parallel ? frame_.pixel : frame_.pixel * distance; }
+
+  const CameraFrame& frame() const { return frame_; }
 
  private:
-  bool parallel_;
-  Point eye_;
-  Vector forward_;
-  Vector right_;  ///< unit, towards greater x
-  Vector up_;     ///< unit, towards lesser y
-  double width_;
-  double height_;
-  double pixel_;  ///< the width of a pixel: at distance 1 (perspective) or anywhere (parallel)
+  CameraFrame frame_;
 };
 
 }  // namespace csgcast

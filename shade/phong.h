@@ -11,6 +11,17 @@
 
 namespace csgcast {
 
+/// base^exponent for base >= 0. Whole exponents up to 65,536 by repeated squaring: fast, and the same on every machine.
+inline double power(double base, double exponent) {
+  if (!(exponent >= 0 && exponent <= 65536 && exponent == std::floor(exponent))) return std::pow(base, exponent);
+  double result = 1;
+  for (auto rest = static_cast<unsigned>(exponent); rest != 0; rest >>= 1u) {
+    if ((rest & 1u) != 0) result *= base;
+    base *= base;
+  }
+  return result;
+}
+
 /// What one light sends to one point.
 struct Illumination {
   Vector to_light;        ///< unit
@@ -28,7 +39,7 @@ inline std::optional<Illumination> illuminate(const LightDescription& light, Poi
   if (result.to_light == Vector{}) return std::nullopt;
   result.light = light.intensity * light.color;
   if (light.falloff && light.position) {
-    const double ratio = *light.falloff / length(result.path);
+    const double ratio = *light.falloff / dot(result.path, result.to_light);
     result.light = ratio * ratio * result.light;
   }
   return result;
@@ -46,7 +57,7 @@ inline Rgb phong(const Material& material, Vector normal, Vector to_viewer, cons
   Rgb share = material.diffuse * n_l * material.color;
   const double r_v = dot(mirrored(-from.to_light, normal), to_viewer);
   if (material.specular > 0 && r_v > 0) {
-    const double highlight = material.specular * std::pow(r_v, material.shininess);
+    const double highlight = material.specular * power(r_v, material.shininess);
     share = share + Rgb{highlight, highlight, highlight};
   }
   return share * from.light;

@@ -109,10 +109,15 @@ FilmContent content(Mode mode) {
 }
 
 Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report) {
-  const auto start = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
   check(options);
   const Camera camera(view.camera, options.width, options.height);
-  const detail::Job job{scene, view, camera, options.mode, grid_of(options)};
+  const auto before_cells = Clock::now();
+  std::optional<Cells> cells;
+  const bool suits_packets = options.mode == Mode::shaded && detail::PacketTracer::suits(scene, view, camera);
+  if (options.engine == Engine::packets && suits_packets) cells.emplace(scene);
+  const auto start = Clock::now();
+  const detail::Job job{scene, view, camera, options.mode, grid_of(options), cells ? &*cells : nullptr};
   Film film(options.width, options.height, content(options.mode));
   const std::vector<detail::Tile> tiles = tiles_of(options.width, options.height);
   Progress progress(options.progress, tiles.size());
@@ -137,7 +142,8 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   });
   if (report != nullptr) {
     for (const detail::TileRenderer& renderer : renderers) *report += renderer.report();
-    report->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report->cells_seconds += std::chrono::duration<double>(start - before_cells).count();
+    report->seconds += std::chrono::duration<double>(Clock::now() - start).count();
   }
   return film;
 }

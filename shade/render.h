@@ -26,12 +26,19 @@ enum class Mode : std::uint8_t {
 /// What the film of a mode holds.
 FilmContent content(Mode mode);
 
+/// How rays are traced. The picture is the same, bit for bit.
+enum class Engine : std::uint8_t {
+  packets,  ///< many at once, where that is possible
+  scalar,   ///< one by one: the definition
+};
+
 struct RenderOptions {
   int width = 800;
   int height = 600;
   int samples = 1;  ///< rays a pixel, rounded up to a square number k²: a regular k x k grid, averaged; depth, normal
                     ///< and id always take 1
   Mode mode = Mode::shaded;
+  Engine engine = Engine::packets;
   int threads = 0;  ///< 0: all cores
   /// Called now and then with the share done, ascending in [0, 1], by one thread at a time; what it throws ends the
   /// render.

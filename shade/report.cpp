@@ -15,6 +15,8 @@ RenderReport& RenderReport::operator+=(const RenderReport& other) {
   skipped.depth_limit += other.skipped.depth_limit;
   total_reflections += other.total_reflections;
   casts += other.casts;
+  packets += other.packets;
+  cells_seconds += other.cells_seconds;
   seconds += other.seconds;
   return *this;
 }

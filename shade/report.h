@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "raycast/caster.h"
+#include "raycast/packet_caster.h"
 
 namespace csgcast {
 
@@ -30,8 +30,10 @@ struct RenderReport {
   SkipCounts skipped;
   std::uint64_t total_reflections =
       0;  ///< transmission rays that total internal reflection turned into reflection rays
-  CasterCounts casts;
-  double seconds = 0;  ///< of the wall clock, tracing
+  CasterCounts casts;   ///< of rays one by one
+  PacketCounts packets;  ///< of rays in packets
+  double cells_seconds = 0;  ///< of the wall clock, cutting the scene into cells
+  double seconds = 0;        ///< of the wall clock, tracing
 
   RenderReport& operator+=(const RenderReport& other);
 };

@@ -45,20 +45,6 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
   return hn::IfThenElse(has_two, of_two, near);
 }
 
-/// Unit vectors as normalised() makes them. Zero where a vector is zero or out of range.
-template <class D>
-HWY_INLINE Triples<hn::Vec<D>> normalised_lanes(D d, const Triples<hn::Vec<D>>& v) {
-  using V = hn::Vec<D>;
-  const BitsOf<D> bits;
-  const V largest = longest(v);
-  const V scale = power_of_biased(d, hn::Sub(hn::Set(bits, 2046u), biased_exponent(d, largest)));
-  const Triples<V> scaled{hn::Mul(v.x, scale), hn::Mul(v.y, scale), hn::Mul(v.z, scale)};
-  const V inverse = hn::Div(hn::Set(d, 1.0), hn::Sqrt(dot(scaled, scaled)));
-  const auto usable = hn::And(hn::Gt(largest, hn::Set(d, 0x1p-1000)), hn::Lt(largest, hn::Set(d, 0x1p1000)));
-  const auto result = [&](V s) { return hn::IfThenElseZero(usable, hn::Mul(inverse, s)); };
-  return {result(scaled.x), result(scaled.y), result(scaled.z)};
-}
-
 template <class D>
 HWY_INLINE Triples<hn::Vec<D>> place_of(D d, const LineLanes<D>& line, const Frame& frame, hn::Vec<D> tau) {
   using V = hn::Vec<D>;

@@ -12,36 +12,13 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-template <class D>
-using BitsOf = hn::RebindToUnsigned<D>;
-
-template <class V>
-struct Triples {
-  V x, y, z;
-};
-
-template <class V>
-HWY_INLINE V dot(const Triples<V>& a, const Triples<V>& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-
-template <class V>
-HWY_INLINE V longest(const Triples<V>& a) {
-  return hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
-}
-
-template <class D>
-HWY_INLINE hn::Vec<BitsOf<D>> biased_exponent(D d, hn::Vec<D> v) {
-  const BitsOf<D> bits;
-  return hn::And(hn::ShiftRight<52>(hn::BitCast(bits, v)), hn::Set(bits, 0x7ffu));
-}
-
-/// 2^(n - 1023) for normal results.
-template <class D>
-HWY_INLINE hn::Vec<D> power_of_biased(D d, hn::Vec<BitsOf<D>> n) {
-  return hn::BitCast(d, hn::ShiftLeft<52>(n));
-}
+using csgcast::HWY_NAMESPACE::BitsOf;
+using csgcast::HWY_NAMESPACE::biased_exponent;
+using csgcast::HWY_NAMESPACE::load_lanes;
+using csgcast::HWY_NAMESPACE::normalised_lanes;
+using csgcast::HWY_NAMESPACE::power_of_biased;
+using csgcast::HWY_NAMESPACE::store_lanes;
+using csgcast::HWY_NAMESPACE::Triples;
 
 template <class V>
 struct Exact {
@@ -104,25 +81,14 @@ struct LineLanes {
   M valid;
 };
 
-template <class D>
-HWY_INLINE hn::Vec<D> load(D d, const double* values, std::size_t first, std::size_t count) {
-  const std::size_t lanes = hn::Lanes(d);
-  if (count >= lanes) return hn::LoadU(d, values + first);
-  HWY_ALIGN double buffer[16];
-  for (std::size_t i = 0; i < lanes; ++i) buffer[i] = values[first + (i < count ? i : count - 1)];
-  return hn::Load(d, buffer);
-}
-
 /// The line in its frame, as LineFrame makes it.
 template <class D>
-HWY_INLINE void set_line(D d, const Frame& frame, const LaneRays& rays, std::size_t first, std::size_t count,
+HWY_INLINE void set_line(D d, const Frame& frame, const RayArrays& rays, std::size_t first, std::size_t count,
                          LineLanes<D>& line) {
   using V = hn::Vec<D>;
   const BitsOf<D> bits;
-  const Triples<V> o{load(d, rays.origin[0], first, count), load(d, rays.origin[1], first, count),
-                     load(d, rays.origin[2], first, count)};
-  const Triples<V> v{load(d, rays.direction[0], first, count), load(d, rays.direction[1], first, count),
-                     load(d, rays.direction[2], first, count)};
+  const Triples<V> o = load_lanes(d, rays.origin, first, count);
+  const Triples<V> v = load_lanes(d, rays.direction, first, count);
   const auto exponent = biased_exponent(d, longest(v));
   const V scale = power_of_biased(d, hn::Sub(hn::Set(bits, 2046u), exponent));
   const V back = power_of_biased(d, exponent);
@@ -161,7 +127,7 @@ HWY_INLINE void set_line(D d, const Frame& frame, const LaneRays& rays, std::siz
 
 /// What walks and tests need besides.
 template <class D>
-HWY_INLINE void prepare_walk(D d, const CellData& cells, const LaneRays& rays, std::size_t first, std::size_t count,
+HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, std::size_t first, std::size_t count,
                              LineLanes<D>& line) {
   using V = hn::Vec<D>;
   const V zero = hn::Zero(d);
@@ -204,7 +170,7 @@ HWY_INLINE void prepare_walk(D d, const CellData& cells, const LaneRays& rays, s
   line.end = hn::Inf(d);
   line.end_error = zero;
   if (rays.end != nullptr) {
-    const V end = load(d, rays.end, first, count);
+    const V end = load_lanes(d, rays.end + first, count);
     line.end = hn::Sub(hn::Div(end, line.unit), line.shift);
     const auto is_finite = hn::Lt(line.end, hn::Inf(d));
     line.end_error = hn::IfThenElseZero(is_finite, hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Abs(line.end)));

@@ -16,6 +16,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "csg/vector_lanes-inl.h"
 #include "raycast/detail/lane_line-inl.h"
 // The others build on it.
 #include "raycast/detail/lane_events-inl.h"
@@ -27,7 +28,7 @@ namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
 template <class D>
-HWY_INLINE void set_departures(D d, const LaneRays& rays, std::size_t first, std::size_t count,
+HWY_INLINE void set_departures(D d, const RayArrays& rays, std::size_t first, std::size_t count,
                                Departures<D>& departures) {
   const BitsOf<D> bits;
   HWY_ALIGN std::uint64_t positive[16];
@@ -37,14 +38,6 @@ HWY_INLINE void set_departures(D d, const LaneRays& rays, std::size_t first, std
     positive[i] = rays.departs_positive[ray];
   }
   departures.positive = hn::RebindMask(d, hn::Ne(hn::Load(bits, positive), hn::Zero(bits)));
-}
-
-template <class D>
-HWY_INLINE void store(D d, hn::Vec<D> v, double* to, std::size_t first, std::size_t count) {
-  if (count == hn::Lanes(d)) return hn::StoreU(v, d, to + first);
-  HWY_ALIGN double buffer[16];
-  hn::Store(v, d, buffer);
-  std::memcpy(to + first, buffer, count * sizeof(double));
 }
 
 template <class D>
@@ -92,17 +85,14 @@ HWY_INLINE void store_faces(D d, const Scene& scene, const CellData& cells, cons
   flagged = hn::Or(flagged, tell_hits(d, scene, cells, line, found, outcome.slots, rises, inside, wants_faces, t,
                                       second, place, normal));
   hn::StoreMaskBits(d, second, outcome.second);
-  store(d, t, hits.t, first, count);
+  store_lanes(d, t, hits.t + first, count);
   if (!wants_faces) return;
-  const hn::Vec<D> of[6] = {place.x, place.y, place.z, normal.x, normal.y, normal.z};
-  for (std::size_t i = 0; i < 3; ++i) {
-    store(d, of[i], hits.point[i], first, count);
-    store(d, of[3 + i], hits.normal[i], first, count);
-  }
+  store_lanes(d, place, hits.point, first, count);
+  store_lanes(d, normal, hits.normal, first, count);
 }
 
 template <class D, Wanted wanted>
-HWY_INLINE void cast(const Scene& scene, const CellData& cells, const LaneRays& rays, const LaneHits& hits,
+HWY_INLINE void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
                      LaneCounts& counts) {
   const D d;
   const BitsOf<D> bits;
@@ -184,7 +174,7 @@ HWY_INLINE void tell_ends(D d, const Scene& scene, const CellData& cells, const 
 }
 
 template <class D>
-HWY_INLINE void cast_lists(const Scene& scene, const CellData& cells, const LaneRays& rays, LaneLists& lists,
+HWY_INLINE void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays, LaneLists& lists,
                            LaneCounts& counts) {
   const D d;
   const std::size_t lanes = hn::Lanes(d);
@@ -219,31 +209,31 @@ HWY_INLINE void cast_lists(const Scene& scene, const CellData& cells, const Lane
 using Packet = hn::CappedTag<double, 8>;
 using Single = hn::CappedTag<double, 1>;
 
-void first_hits(const Scene& scene, const CellData& cells, const LaneRays& rays, const LaneHits& hits,
+void first_hits(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
                 LaneCounts& counts) {
   cast<Packet, Wanted::first>(scene, cells, rays, hits, counts);
 }
 
-void first_hits_single(const Scene& scene, const CellData& cells, const LaneRays& rays, const LaneHits& hits,
+void first_hits_single(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
                        LaneCounts& counts) {
   cast<Single, Wanted::first>(scene, cells, rays, hits, counts);
 }
 
-void lists(const Scene& scene, const CellData& cells, const LaneRays& rays, LaneLists& found, LaneCounts& counts) {
+void lists(const Scene& scene, const CellData& cells, const RayArrays& rays, LaneLists& found, LaneCounts& counts) {
   cast_lists<Packet>(scene, cells, rays, found, counts);
 }
 
-void lists_single(const Scene& scene, const CellData& cells, const LaneRays& rays, LaneLists& found,
+void lists_single(const Scene& scene, const CellData& cells, const RayArrays& rays, LaneLists& found,
                   LaneCounts& counts) {
   cast_lists<Single>(scene, cells, rays, found, counts);
 }
 
-void any_hits(const Scene& scene, const CellData& cells, const LaneRays& rays, const LaneHits& hits,
+void any_hits(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
               LaneCounts& counts) {
   cast<Packet, Wanted::any>(scene, cells, rays, hits, counts);
 }
 
-void any_hits_single(const Scene& scene, const CellData& cells, const LaneRays& rays, const LaneHits& hits,
+void any_hits_single(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
                      LaneCounts& counts) {
   cast<Single, Wanted::any>(scene, cells, rays, hits, counts);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raycast/detail/cell_data.h"
+#include "raycast/ray_arrays.h"
 #include "raycast/scene.h"
 
 // Many rays at once, in the lanes of vector registers: the interface of the code that is compiled for each instruction
@@ -17,17 +18,6 @@ namespace csgcast::detail {
 
 /// What became of a ray.
 enum class LaneFate : std::uint8_t { miss, entry, exit, flagged };
-
-/// Rays as arrays of the same length, in the world's coordinates.
-struct LaneRays {
-  std::size_t count = 0;
-  const double* origin[3] = {};
-  const double* direction[3] = {};
-  const std::uint32_t* departure = nullptr;  ///< the surface that each ray starts on, or Id's none; null: no ray does
-  const std::uint8_t* departs_positive = nullptr;  ///< on which side of it
-  bool whole_line = false;      ///< from -infinity on, not from 0; no ray departs then
-  const double* end = nullptr;  ///< the t up to which each ray is asked; null: for all of [0, infinity)
-};
 
 /// What was found, arrays for as many rays; null where it is not wanted. What is told of a ray that was flagged means
 /// nothing.
@@ -73,13 +63,13 @@ struct LaneCounts {
 struct LaneCode {
   std::string_view name;
   std::size_t lanes;
-  void (*first_hits)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
-  void (*first_hits_single)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
-  void (*lists)(const Scene&, const CellData&, const LaneRays&, LaneLists&, LaneCounts&);
-  void (*lists_single)(const Scene&, const CellData&, const LaneRays&, LaneLists&, LaneCounts&);
+  void (*first_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
+  void (*first_hits_single)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
+  void (*lists)(const Scene&, const CellData&, const RayArrays&, LaneLists&, LaneCounts&);
+  void (*lists_single)(const Scene&, const CellData&, const RayArrays&, LaneLists&, LaneCounts&);
   /// Whether the rays meet the inside: fate is entry, miss or flagged.
-  void (*any_hits)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
-  void (*any_hits_single)(const Scene&, const CellData&, const LaneRays&, const LaneHits&, LaneCounts&);
+  void (*any_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
+  void (*any_hits_single)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
 };
 
 /// Those that this machine can run, the best first.

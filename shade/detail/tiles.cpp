@@ -21,10 +21,13 @@ void each_pixel(const Tile& tile, F&& f) {
 
 }  // namespace
 
-TileRenderer::TileRenderer(const Job& job) : job_(job), caster_(job.scene), tracer_(caster_, job.view) {}
+TileRenderer::TileRenderer(const Job& job) : job_(job), caster_(job.scene), tracer_(caster_, job.view) {
+  if (job.cells != nullptr) packets_.emplace(*job.cells, job.view, job.camera, tracer_);
+}
 
 RenderReport TileRenderer::report() const {
   RenderReport result = tracer_.report();
+  if (packets_) result += packets_->report();
   result.rays.primary += primary_;
   result.casts += caster_.counts();
   return result;
@@ -50,12 +53,58 @@ Ray TileRenderer::sample_ray(int column, int row) const {
 }
 
 void TileRenderer::shade(const Tile& tile, Film& film) {
+  if (packets_) return shade_in_packets(tile, film);
   const int k = job_.grid;
   each_pixel(tile, [&](int x, int y) {
     Rgb sum;
     for (int i = 0; i < k * k; ++i) sum = sum + tracer_.trace(sample_ray(k * x + i % k, k * y + i / k));
     film.set(x, y, (1.0 / (k * k)) * sum);
   });
+}
+
+// The samples of a strip, four by two at a time, so that those of a packet are neighbours.
+void TileRenderer::place_samples(const Tile& strip) {
+  const int k = job_.grid;
+  const int columns = k * (strip.x1 - strip.x0);
+  const int rows = k * (strip.y1 - strip.y0);
+  sample_x_.clear();
+  sample_y_.clear();
+  sample_place_.clear();
+  for (int row = 0; row < rows; row += 2) {
+    for (int column = 0; column < columns; column += 4) {
+      for (int i = 0; i < 8; ++i) {
+        const int x = column + i % 4;
+        const int y = row + i / 4;
+        if (x >= columns || y >= rows) continue;
+        sample_x_.push_back((k * strip.x0 + x + 0.5) / k);
+        sample_y_.push_back((k * strip.y0 + y + 0.5) / k);
+        sample_place_.push_back(static_cast<std::uint32_t>(y * columns + x));
+      }
+    }
+  }
+}
+
+void TileRenderer::shade_in_packets(const Tile& tile, Film& film) {
+  const int k = job_.grid;
+  const int height = std::max(8 / k, 1);
+  for (int y0 = tile.y0; y0 < tile.y1; y0 += height) {
+    const Tile strip{tile.x0, y0, tile.x1, std::min(y0 + height, tile.y1)};
+    place_samples(strip);
+    const std::size_t count = sample_x_.size();
+    traced_.resize(count);
+    colors_.resize(count);
+    packets_->trace(sample_x_, sample_y_, traced_);
+    for (std::size_t i = 0; i < count; ++i) colors_[sample_place_[i]] = traced_[i];
+    const int columns = k * (strip.x1 - strip.x0);
+    each_pixel(strip, [&](int x, int y) {
+      Rgb sum;
+      for (int i = 0; i < k * k; ++i) {
+        const int row = k * (y - strip.y0) + i / k;
+        sum = sum + colors_[static_cast<std::size_t>(row * columns + k * (x - strip.x0) + i % k)];
+      }
+      film.set(x, y, (1.0 / (k * k)) * sum);
+    });
+  }
 }
 
 void TileRenderer::measure(const Tile& tile, Film& film) {

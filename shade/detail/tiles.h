@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "raycast/caster.h"
 #include "shade/camera.h"
+#include "shade/detail/packet_tracer.h"
 #include "shade/detail/sight.h"
 #include "shade/film.h"
 #include "shade/render.h"
@@ -21,7 +25,8 @@ struct Job {
   const View& view;
   const Camera& camera;
   Mode mode;
-  int grid;  ///< k of k x k samples a pixel
+  int grid;            ///< k of k x k samples a pixel
+  const Cells* cells;  ///< null: rays go one by one
 };
 
 /// The working memory of one thread.
@@ -38,6 +43,8 @@ class TileRenderer {
 
  private:
   void shade(const Tile& tile, Film& film);
+  void shade_in_packets(const Tile& tile, Film& film);
+  void place_samples(const Tile& strip);
   void draw_edges(const Tile& tile, Film& film);
   void measure(const Tile& tile, Film& film);
   void show_sights(const Tile& tile, Film& film);
@@ -48,9 +55,14 @@ class TileRenderer {
   Job job_;
   Caster caster_;
   Tracer tracer_;
+  std::optional<PacketTracer> packets_;
   std::uint64_t primary_ = 0;
   IntervalList intervals_;
   std::vector<Sight> sights_;
+  // By sample of a strip of pixels.
+  std::vector<double> sample_x_, sample_y_;
+  std::vector<std::uint32_t> sample_place_;  // row by row, where its colour belongs
+  std::vector<Rgb> traced_, colors_;
 };
 
 }  // namespace csgcast::detail

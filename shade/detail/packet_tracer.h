@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raycast/packet_caster.h"
+#include "shade/camera.h"
+#include "shade/report.h"
+#include "shade/tracer.h"
+#include "shade/view.h"
+
+namespace csgcast::detail {
+
+/// Shades many samples of a picture at once, in lanes: the same light as Tracer's, bit for bit. Samples that see more
+/// than an opaque face without a mirror from outside go to a Tracer, one by one. The working memory of one thread.
+class PacketTracer {
+ public:
+  /// Whether packets can make the picture: nothing in the scene lets light through, and rays are traced at all.
+  static bool suits(const Scene& scene, const View& view, const Camera& camera);
+
+  /// All must outlive the packet tracer. Precondition: suits().
+  PacketTracer(const Cells& cells, const View& view, const Camera& camera, Tracer& tracer);
+
+  /// The light at places (x, y) of the picture. As many colours as places; neighbours should stand together.
+  void trace(std::span<const double> x, std::span<const double> y, std::span<Rgb> colors);
+
+  /// What was done so far, without the tracer's counts.
+  RenderReport report() const;
+
+ private:
+  using Numbers = std::vector<double>;
+  using Vectors = std::array<Numbers, 3>;
+
+  void resize(std::size_t count);
+  void see(std::span<const double> x, std::span<const double> y);
+  void sort_out(std::span<Rgb> colors);
+  bool is_plain(std::size_t i) const;
+  void add_light(const LightDescription& light);
+  std::array<double*, 3> pointers(Vectors& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
+
+  const Scene& scene_;
+  const View& view_;
+  const Camera& camera_;
+  Tracer& tracer_;
+  PacketCaster caster_;
+  RenderReport report_;
+
+  // By sample: its ray, and the face that it sees.
+  Vectors origin_, direction_, point_, normal_;
+  Numbers t_;
+  std::vector<std::uint8_t> state_, comes_positive_;
+  std::vector<std::uint32_t> surface_, look_;
+  // By sample that is shaded here, close together.
+  std::vector<std::uint32_t> sample_;
+  Vectors hit_point_, hit_normal_, hit_direction_, color_, light_, path_;
+  std::vector<std::uint32_t> hit_look_;
+  std::vector<std::uint8_t> effect_;
+  // By shadow ray, close together.
+  std::vector<std::uint32_t> shaded_;
+  Vectors shadow_origin_, shadow_direction_;
+  std::vector<std::uint32_t> departure_;
+  std::vector<std::uint8_t> departs_positive_, blocked_;
+  Numbers ones_;
+};
+
+}  // namespace csgcast::detail
