@@ -21,13 +21,14 @@ std::string render_stats(const RenderOptions& options, const RenderReport& repor
   json.member("leaf_tests", report.casts.leaf_tests).member("twofold_calls", report.casts.twofold_calls);
   json.member("exact_calls", report.casts.exact_calls).member("rays_flagged", report.casts.rays_flagged);
   json.key("skipped").begin_object();
+  json.member("primary_beyond_bounds", report.skipped.primary_beyond_bounds);
   json.member("shadow_facing_away", report.skipped.shadow_facing_away);
   json.member("shadow_without_effect", report.skipped.shadow_without_effect);
   json.member("reflection_below_cutoff", report.skipped.reflection_below_cutoff);
   json.member("transmission_below_cutoff", report.skipped.transmission_below_cutoff);
   json.member("depth_limit", report.skipped.depth_limit).end_object();
   json.key("seconds").begin_object().member("read", seconds.read).member("compile", seconds.compile);
-  json.member("cells", seconds.cells).member("trace", seconds.trace).member("write", seconds.write).end_object();
+  json.member("cells", seconds.cells).member("trace", seconds.trace).member("trace_cpu", report.cpu_seconds).member("write", seconds.write).end_object();
   json.end_object();
   return out + '\n';
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "csg/error.h"
 #include "raycast/detail/lanes.h"
@@ -65,16 +66,14 @@ struct PacketCaster::State {
   RayArrays lane_rays;
   detail::LaneCounts counts;
   detail::LaneLists lists;
-  std::vector<detail::LaneFate> fates;
-  std::vector<std::uint32_t> slots;
-  std::vector<std::uint8_t> rising;
   std::array<std::array<double, rays_at_once>, 3> origin;
   std::array<std::array<double, rays_at_once>, 3> direction;
-  std::array<detail::LaneFate, rays_at_once> fate;
+  std::array<std::uint8_t, rays_at_once> found;
   std::array<double, rays_at_once> t;
-  std::array<std::uint32_t, rays_at_once> slot;
-  std::array<std::uint8_t, rays_at_once> rises;
+  std::array<std::uint32_t, rays_at_once> surface;
+  std::array<std::uint8_t, rays_at_once> comes_positive;
   std::array<std::uint8_t, rays_at_once> root;
+  std::vector<std::uint32_t> left;  // the rays that lanes could not decide
   IntervalList list;
 };
 
@@ -93,52 +92,40 @@ const Scene& PacketCaster::scene() const { return state_->cells.scene(); }
 
 void PacketCaster::first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding) {
   State& state = *state_;
+  detail::LaneHits lanes;
+  lanes.faces.state = state.found.data();
+  lanes.faces.t = state.t.data();
+  lanes.faces.surface = state.surface.data();
+  lanes.faces.comes_positive = state.comes_positive.data();
+  lanes.root = state.root.data();
+  lanes.left = &state.left;
+  const auto cast = state.width == Width::packet ? state.code.first_hits : state.code.first_hits_single;
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
     const auto packet = rays.subspan(begin, std::min(rays_at_once, rays.size() - begin));
     state.load(packet);
-    detail::LaneHits found;
-    found.fate = state.fate.data();
-    found.t = state.t.data();
-    found.slot = state.slot.data();
-    found.rises = state.rises.data();
-    found.root = state.root.data();
-    const auto cast = state.width == Width::packet ? state.code.first_hits : state.code.first_hits_single;
-    cast(scene(), state.cells.data(), state.lane_rays, found, state.counts);
+    state.left.clear();
+    cast(scene(), state.cells.data(), state.lane_rays, lanes, state.counts);
     for (std::size_t i = 0; i < packet.size(); ++i) {
       std::optional<Hit>& hit = hits[begin + i];
       hit.reset();
-      if (state.fate[i] == detail::LaneFate::miss) continue;
-      if (state.fate[i] == detail::LaneFate::flagged) {
-        state.caster.begin(packet[i]);
-        hit = state.caster.first_hit(state.cells.node(), {}, rounding);
-        continue;
-      }
-      const Passage passage = state.fate[i] == detail::LaneFate::entry ? Passage::entry : Passage::exit;
-      hit = Hit{{state.t[i], state.surface_of(state.slot[i]), state.root[i]}, passage};
+      if (state.found[i] == FaceArrays::none) continue;
+      const Passage passage = state.found[i] == FaceArrays::entry ? Passage::entry : Passage::exit;
+      hit = Hit{{state.t[i], SurfaceId(state.surface[i]), state.root[i]}, passage};
       if (rounding == Rounding::close) continue;
       state.caster.begin(packet[i]);
       hit->crossing = state.caster.reported(hit->crossing);
+    }
+    for (const std::uint32_t i : state.left) {
+      state.caster.begin(packet[i]);
+      hits[begin + i] = state.caster.first_hit(state.cells.node(), {}, rounding);
     }
   }
 }
 
 void PacketCaster::any_hits(std::span<const Ray> rays, std::span<std::uint8_t> hits) {
-  State& state = *state_;
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
-    const auto packet = rays.subspan(begin, std::min(rays_at_once, rays.size() - begin));
-    state.load(packet);
-    detail::LaneHits found;
-    found.fate = state.fate.data();
-    const auto cast = state.width == Width::packet ? state.code.any_hits : state.code.any_hits_single;
-    cast(scene(), state.cells.data(), state.lane_rays, found, state.counts);
-    for (std::size_t i = 0; i < packet.size(); ++i) {
-      bool hit = state.fate[i] != detail::LaneFate::miss;
-      if (state.fate[i] == detail::LaneFate::flagged) {
-        state.caster.begin(packet[i]);
-        hit = state.caster.any_hit(state.cells.node());
-      }
-      hits[begin + i] = hit ? 1 : 0;
-    }
+    state_->load(rays.subspan(begin, std::min(rays_at_once, rays.size() - begin)));
+    any_hits(state_->lane_rays, hits.data() + begin);
   }
 }
 
@@ -228,38 +215,18 @@ void set_face(const FaceArrays& faces, std::size_t i, const Hit& hit, const Attr
 
 void PacketCaster::first_faces(const RayArrays& rays, const FaceArrays& faces) {
   State& state = *state_;
-  state.fates.resize(rays.count);
-  state.slots.resize(rays.count);
-  state.rising.resize(rays.count);
-  detail::LaneHits found;
-  found.fate = state.fates.data();
-  found.t = faces.t;
-  found.slot = state.slots.data();
-  found.rises = state.rising.data();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    found.point[axis] = faces.point[axis];
-    found.normal[axis] = faces.normal[axis];
-  }
+  detail::LaneHits lanes;
+  lanes.faces = faces;
+  lanes.left = &state.left;
+  state.left.clear();
   const auto cast = state.width == Width::packet ? state.code.first_hits : state.code.first_hits_single;
-  cast(scene(), state.cells.data(), rays, found, state.counts);
+  cast(scene(), state.cells.data(), rays, lanes, state.counts);
   // Without a bounded leaf places are computed another way (LineCache::point).
-  const bool has_frame = scene().bounded_leaves().is_finite();
-  for (std::size_t i = 0; i < rays.count; ++i) {
-    if (state.fates[i] == detail::LaneFate::miss) {
-      faces.state[i] = FaceArrays::none;
-      continue;
-    }
-    if (state.fates[i] != detail::LaneFate::flagged && has_frame) {
-      const detail::Slot& slot = state.cells.data().slots[state.slots[i]];
-      if (slot.look.valid() && (faces.leaf == nullptr || slot.leaf.valid())) {
-        faces.state[i] = state.fates[i] == detail::LaneFate::entry ? FaceArrays::entry : FaceArrays::exit;
-        faces.surface[i] = slot.surface;
-        faces.look[i] = slot.look.index();
-        faces.comes_positive[i] = state.rising[i] != 0 ? 0 : 1;
-        if (faces.leaf != nullptr) faces.leaf[i] = slot.leaf.index();
-        continue;
-      }
-    }
+  if (!scene().bounded_leaves().is_finite()) {
+    state.left.resize(rays.count);
+    std::iota(state.left.begin(), state.left.end(), 0u);
+  }
+  for (const std::uint32_t i : state.left) {
     begin(state.caster, rays, i);
     const std::optional<Hit> hit = state.caster.first_hit(state.cells.node(), span_of(rays, i), Rounding::close);
     faces.state[i] = FaceArrays::none;
@@ -269,14 +236,13 @@ void PacketCaster::first_faces(const RayArrays& rays, const FaceArrays& faces) {
 
 void PacketCaster::any_hits(const RayArrays& rays, std::uint8_t* hits) {
   State& state = *state_;
-  state.fates.resize(rays.count);
-  detail::LaneHits found;
-  found.fate = state.fates.data();
+  detail::LaneHits lanes;
+  lanes.faces.state = hits;
+  lanes.left = &state.left;
+  state.left.clear();
   const auto cast = state.width == Width::packet ? state.code.any_hits : state.code.any_hits_single;
-  cast(scene(), state.cells.data(), rays, found, state.counts);
-  for (std::size_t i = 0; i < rays.count; ++i) {
-    hits[i] = state.fates[i] != detail::LaneFate::miss ? 1 : 0;
-    if (state.fates[i] != detail::LaneFate::flagged) continue;
+  cast(scene(), state.cells.data(), rays, lanes, state.counts);
+  for (const std::uint32_t i : state.left) {
     begin(state.caster, rays, i);
     hits[i] = state.caster.any_hit(state.cells.node(), span_of(rays, i)) ? 1 : 0;
   }

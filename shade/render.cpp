@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -70,6 +71,9 @@ int threads_of(const RenderOptions& options, std::size_t tiles) {
   return static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(wanted), tiles));
 }
 
+// Of the whole process, all threads.
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 // Tells how much is done, ascending, one thread at a time.
 class Progress {
  public:
@@ -117,6 +121,7 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   const bool suits_packets = options.mode == Mode::shaded && detail::PacketTracer::suits(scene, view, camera);
   if (options.engine == Engine::packets && suits_packets) cells.emplace(scene);
   const auto start = Clock::now();
+  const double cpu_start = cpu_seconds();
   const detail::Job job{scene, view, camera, options.mode, grid_of(options), cells ? &*cells : nullptr};
   Film film(options.width, options.height, content(options.mode));
   const std::vector<detail::Tile> tiles = tiles_of(options.width, options.height);
@@ -143,6 +148,7 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   if (report != nullptr) {
     for (const detail::TileRenderer& renderer : renderers) *report += renderer.report();
     report->cells_seconds += std::chrono::duration<double>(start - before_cells).count();
+    report->cpu_seconds += cpu_seconds() - cpu_start;
     report->seconds += std::chrono::duration<double>(Clock::now() - start).count();
   }
   return film;

@@ -8,6 +8,7 @@ RenderReport& RenderReport::operator+=(const RenderReport& other) {
   rays.shadow += other.rays.shadow;
   rays.reflection += other.rays.reflection;
   rays.transmission += other.rays.transmission;
+  skipped.primary_beyond_bounds += other.skipped.primary_beyond_bounds;
   skipped.shadow_facing_away += other.skipped.shadow_facing_away;
   skipped.shadow_without_effect += other.skipped.shadow_without_effect;
   skipped.reflection_below_cutoff += other.skipped.reflection_below_cutoff;
@@ -18,6 +19,7 @@ RenderReport& RenderReport::operator+=(const RenderReport& other) {
   packets += other.packets;
   cells_seconds += other.cells_seconds;
   seconds += other.seconds;
+  cpu_seconds += other.cpu_seconds;
   return *this;
 }
 

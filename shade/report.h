@@ -17,6 +17,7 @@ struct RayCounts {
 
 /// Rays that were not traced, by reason.
 struct SkipCounts {
+  std::uint64_t primary_beyond_bounds = 0;    ///< the pixel is outside the outline of the solid's bounds
   std::uint64_t shadow_facing_away = 0;       ///< the light is behind the surface
   std::uint64_t shadow_without_effect = 0;    ///< the light would add nothing even where nothing blocks it
   std::uint64_t reflection_below_cutoff = 0;  ///< min_contribution is more than what the ray could bring
@@ -34,6 +35,7 @@ struct RenderReport {
   PacketCounts packets;  ///< of rays in packets
   double cells_seconds = 0;  ///< of the wall clock, cutting the scene into cells
   double seconds = 0;        ///< of the wall clock, tracing
+  double cpu_seconds = 0;    ///< of all processors together, tracing
 
   RenderReport& operator+=(const RenderReport& other);
 };

@@ -45,50 +45,70 @@ HWY_INLINE bool has(D, const std::uint8_t* mask, std::size_t lane) {
   return ((mask[0] >> lane) & 1) != 0;
 }
 
-/// What a packet's rays found, as masks in memory.
-template <class D>
+/// What a packet's rays found, in memory. A bit a lane in masks.
 struct Outcome {
-  HWY_ALIGN std::uint8_t flagged[8];
-  HWY_ALIGN std::uint8_t found[8];
-  HWY_ALIGN std::uint8_t inside[8];
-  HWY_ALIGN std::uint8_t second[8];
   HWY_ALIGN std::uint64_t slots[16];
   HWY_ALIGN std::uint64_t rises[16];
+  std::uint8_t left[8];
+  std::uint8_t found[8];
+  std::uint8_t inside[8];
+  std::uint8_t second[8];
 };
 
+/// Whose faces the packet's hits are. Lanes whose look or leaf depends on more than the cell are left.
 template <class D>
-HWY_INLINE void store_hits(D d, const Outcome<D>& outcome, std::size_t first, std::size_t count, const LaneHits& hits,
-                           LaneCounts& counts) {
+HWY_INLINE void store_owners(D d, const CellData& cells, const LaneHits& hits, std::size_t first, std::size_t count,
+                             Outcome& outcome) {
+  const FaceArrays& faces = hits.faces;
   for (std::size_t i = 0; i < count; ++i) {
-    const LaneFate hit = has(d, outcome.inside, i) ? LaneFate::entry : LaneFate::exit;
-    const bool is_flagged = has(d, outcome.flagged, i);
-    counts.flagged += is_flagged ? 1 : 0;
-    hits.fate[first + i] = is_flagged ? LaneFate::flagged : has(d, outcome.found, i) ? hit : LaneFate::miss;
-    if (hits.slot == nullptr) continue;
-    hits.slot[first + i] = static_cast<std::uint32_t>(outcome.slots[i]);
-    hits.rises[first + i] = outcome.rises[i] != 0 ? 1 : 0;
+    if (!has(d, outcome.found, i)) continue;
+    const Slot& slot = cells.slots[outcome.slots[i]];
+    faces.surface[first + i] = slot.surface;
+    faces.comes_positive[first + i] = outcome.rises[i] != 0 ? 0 : 1;
     if (hits.root != nullptr) hits.root[first + i] = has(d, outcome.second, i) ? 1 : 0;
+    if (faces.look == nullptr) continue;
+    faces.look[first + i] = slot.look.index();
+    if (faces.leaf != nullptr) faces.leaf[first + i] = slot.leaf.index();
+    const bool is_known = slot.look.valid() && (faces.leaf == nullptr || slot.leaf.valid());
+    if (!is_known) outcome.left[0] = static_cast<std::uint8_t>(outcome.left[0] | (1u << i));
   }
 }
 
-/// t of the packet's hits, and the faces there if they are wanted. Adds to the flagged lanes.
+HWY_INLINE void store_states(const LaneHits& hits, std::size_t first, std::size_t count, const Outcome& outcome,
+                             LaneCounts& counts) {
+  const unsigned found = outcome.found[0];
+  const unsigned inside = outcome.inside[0];
+  for (std::size_t i = 0; i < count; ++i) {
+    const unsigned is_found = (found >> i) & 1u;
+    const unsigned leaves = is_found & ~(inside >> i);
+    hits.faces.state[first + i] = static_cast<std::uint8_t>(is_found + leaves);
+  }
+  for (unsigned left = outcome.left[0]; left != 0; left &= left - 1) {
+    hits.left->push_back(static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(__builtin_ctz(left)));
+    ++counts.flagged;
+  }
+}
+
+/// t of the packet's hits, and places and normals if they are wanted. Returns the lanes that are left.
 template <class D>
-HWY_INLINE void store_faces(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
-                            hn::Mask<D> found, hn::Mask<D> inside, Outcome<D>& outcome, std::size_t first,
-                            std::size_t count, const LaneHits& hits, hn::Mask<D>& flagged) {
+HWY_INLINE hn::Mask<D> store_faces(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
+                                   hn::Mask<D> found, hn::Mask<D> inside, Outcome& outcome, std::size_t first,
+                                   std::size_t count, const LaneHits& hits) {
   const BitsOf<D> bits;
   hn::Vec<D> t;
   hn::Mask<D> second;
   Triples<hn::Vec<D>> place, normal;
   const auto rises = hn::RebindMask(d, hn::Ne(hn::Load(bits, outcome.rises), hn::Zero(bits)));
-  const bool wants_faces = hits.point[0] != nullptr;
-  flagged = hn::Or(flagged, tell_hits(d, scene, cells, line, found, outcome.slots, rises, inside, wants_faces, t,
-                                      second, place, normal));
+  const bool wants_faces = hits.faces.point[0] != nullptr;
+  const auto left = tell_hits(d, scene, cells, line, found, outcome.slots, rises, inside, wants_faces, t, second,
+                              place, normal);
   hn::StoreMaskBits(d, second, outcome.second);
-  store_lanes(d, t, hits.t + first, count);
-  if (!wants_faces) return;
-  store_lanes(d, place, hits.point, first, count);
-  store_lanes(d, normal, hits.normal, first, count);
+  store_lanes(d, t, hits.faces.t + first, count);
+  if (wants_faces) {
+    store_lanes(d, place, hits.faces.point, first, count);
+    store_lanes(d, normal, hits.faces.normal, first, count);
+  }
+  return left;
 }
 
 template <class D, Wanted wanted>
@@ -99,7 +119,7 @@ HWY_INLINE void cast(const Scene& scene, const CellData& cells, const RayArrays&
   const std::size_t lanes = hn::Lanes(d);
   LineLanes<D> line;
   Departures<D> departures;
-  Outcome<D> outcome{};
+  Outcome outcome{};
   Walk<D, wanted> walk(cells, line, rays.departure != nullptr ? &departures : nullptr, nullptr, counts);
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = HWY_MIN(lanes, rays.count - first);
@@ -109,18 +129,23 @@ HWY_INLINE void cast(const Scene& scene, const CellData& cells, const RayArrays&
     walk.run(hn::FirstN(d, count));
     counts.rays += count;
     ++counts.packets;
-    auto flagged = walk.flagged();
-    const auto found = hn::AndNot(flagged, walk.found());
-    if constexpr (wanted == Wanted::first) {
-      hn::Store(walk.slot(), bits, outcome.slots);
-      hn::Store(walk.rises(), bits, outcome.rises);
-      if (!hn::AllFalse(d, found))
-        store_faces(d, scene, cells, line, found, walk.inside(), outcome, first, count, hits, flagged);
-    }
-    hn::StoreMaskBits(d, flagged, outcome.flagged);
+    auto left = walk.flagged();
+    const auto found = hn::AndNot(left, walk.found());
+    const bool any_found = !hn::AllFalse(d, found);
     hn::StoreMaskBits(d, found, outcome.found);
+    if constexpr (wanted == Wanted::first) {
+      if (any_found) {
+        hn::Store(walk.slot(), bits, outcome.slots);
+        hn::Store(walk.rises(), bits, outcome.rises);
+        left = hn::Or(left, store_faces(d, scene, cells, line, found, walk.inside(), outcome, first, count, hits));
+      }
+    }
+    hn::StoreMaskBits(d, left, outcome.left);
     hn::StoreMaskBits(d, walk.inside(), outcome.inside);
-    store_hits(d, outcome, first, count, hits, counts);
+    if constexpr (wanted == Wanted::first) {
+      if (any_found) store_owners(d, cells, hits, first, count, outcome);
+    }
+    store_states(hits, first, count, outcome, counts);
   }
 }
 

@@ -16,19 +16,12 @@
 
 namespace csgcast::detail {
 
-/// What became of a ray.
-enum class LaneFate : std::uint8_t { miss, entry, exit, flagged };
-
-/// What was found, arrays for as many rays; null where it is not wanted. What is told of a ray that was flagged means
-/// nothing.
+/// What was found of each ray. Arrays of FaceArrays may be null where they are not wanted, but `state`.
 struct LaneHits {
-  LaneFate* fate = nullptr;
-  double* t = nullptr;
-  std::uint32_t* slot = nullptr;       ///< index in CellData::slots
-  std::uint8_t* rises = nullptr;       ///< the surface turns from negative to positive
-  std::uint8_t* root = nullptr;        ///< which of the surface's crossings it is (Crossing::root)
-  double* point[3] = {};               ///< in the world
-  double* normal[3] = {};              ///< unit, out of the solid
+  FaceArrays faces;
+  std::uint8_t* root = nullptr;         ///< which of the surface's crossings it is (Crossing::root)
+  std::vector<std::uint32_t>* left = nullptr;  ///< gets the rays that lanes cannot tell all about: nothing told of
+                                               ///< them means anything
 };
 
 /// A ray with more ends of intervals is flagged.
@@ -67,7 +60,7 @@ struct LaneCode {
   void (*first_hits_single)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
   void (*lists)(const Scene&, const CellData&, const RayArrays&, LaneLists&, LaneCounts&);
   void (*lists_single)(const Scene&, const CellData&, const RayArrays&, LaneLists&, LaneCounts&);
-  /// Whether the rays meet the inside: fate is entry, miss or flagged.
+  /// Whether the rays meet the inside: state is entry or none, and `left`.
   void (*any_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
   void (*any_hits_single)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
 };

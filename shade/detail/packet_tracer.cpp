@@ -16,7 +16,9 @@ bool PacketTracer::suits(const Scene& scene, const View& view, const Camera& cam
 }
 
 PacketTracer::PacketTracer(const Cells& cells, const View& view, const Camera& camera, Tracer& tracer)
-    : scene_(cells.scene()), view_(view), camera_(camera), tracer_(tracer), caster_(cells) {}
+    : scene_(cells.scene()), view_(view), camera_(camera), tracer_(tracer), caster_(cells) {
+  for (const Material& look : scene_.looks()) mirrors_.push_back(look.reflection > 0 ? 1 : 0);
+}
 
 RenderReport PacketTracer::report() const {
   RenderReport report = report_;
@@ -38,6 +40,7 @@ void PacketTracer::resize(std::size_t count) {
 }
 
 void PacketTracer::trace(std::span<const double> x, std::span<const double> y, std::span<Rgb> colors) {
+  if (x.empty()) return;
   resize(x.size());
   see(x, y);
   sort_out(colors);
@@ -85,7 +88,7 @@ void PacketTracer::see(std::span<const double> x, std::span<const double> y) {
 
 // An opaque face without a mirror, seen from outside.
 bool PacketTracer::is_plain(std::size_t i) const {
-  return state_[i] == FaceArrays::entry && !(scene_.looks()[look_[i]].reflection > 0) &&
+  return state_[i] == FaceArrays::entry && mirrors_[look_[i]] == 0 &&
          std::isfinite(point_[0][i] + point_[1][i] + point_[2][i]);
 }
 

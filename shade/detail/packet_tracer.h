@@ -47,6 +47,7 @@ class PacketTracer {
   Tracer& tracer_;
   PacketCaster caster_;
   RenderReport report_;
+  std::vector<std::uint8_t> mirrors_;  // by look
 
   // By sample: its ray, and the face that it sees.
   Vectors origin_, direction_, point_, normal_;

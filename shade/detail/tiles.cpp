@@ -2,6 +2,7 @@
 #include "shade/detail/tiles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "shade/detail/edges.h"
@@ -21,13 +22,18 @@ void each_pixel(const Tile& tile, F&& f) {
 
 }  // namespace
 
-TileRenderer::TileRenderer(const Job& job) : job_(job), caster_(job.scene), tracer_(caster_, job.view) {
+TileRenderer::TileRenderer(const Job& job)
+    : job_(job),
+      caster_(job.scene),
+      tracer_(caster_, job.view),
+      outline_(job.camera.frame(), job.scene.node(job.scene.root()).box) {
   if (job.cells != nullptr) packets_.emplace(*job.cells, job.view, job.camera, tracer_);
 }
 
 RenderReport TileRenderer::report() const {
   RenderReport result = tracer_.report();
   if (packets_) result += packets_->report();
+  result.skipped.primary_beyond_bounds += beyond_bounds_;
   result.rays.primary += primary_;
   result.casts += caster_.counts();
   return result;
@@ -62,47 +68,56 @@ void TileRenderer::shade(const Tile& tile, Film& film) {
   });
 }
 
-// The samples of a strip, four by two at a time, so that those of a packet are neighbours.
-void TileRenderer::place_samples(const Tile& strip) {
+// The samples of a strip in columns [first, last), four by two at a time, so that those of a packet are neighbours.
+void TileRenderer::place_samples(const Tile& strip, int first, int last) {
   const int k = job_.grid;
   const int columns = k * (strip.x1 - strip.x0);
   const int rows = k * (strip.y1 - strip.y0);
-  sample_x_.clear();
-  sample_y_.clear();
-  sample_place_.clear();
+  const auto room = static_cast<std::size_t>(columns * rows);
+  sample_x_.resize(room);
+  sample_y_.resize(room);
+  sample_place_.resize(room);
+  std::size_t count = 0;
   for (int row = 0; row < rows; row += 2) {
-    for (int column = 0; column < columns; column += 4) {
-      for (int i = 0; i < 8; ++i) {
-        const int x = column + i % 4;
-        const int y = row + i / 4;
-        if (x >= columns || y >= rows) continue;
-        sample_x_.push_back((k * strip.x0 + x + 0.5) / k);
-        sample_y_.push_back((k * strip.y0 + y + 0.5) / k);
-        sample_place_.push_back(static_cast<std::uint32_t>(y * columns + x));
+    for (int column = first; column < last; column += 4) {
+      for (int y = row; y < std::min(row + 2, rows); ++y) {
+        for (int x = column; x < std::min(column + 4, last); ++x) {
+          sample_x_[count] = (k * strip.x0 + x + 0.5) / k;
+          sample_y_[count] = (k * strip.y0 + y + 0.5) / k;
+          sample_place_[count++] = static_cast<std::uint32_t>(y * columns + x);
+        }
       }
     }
   }
+  sample_x_.resize(count);
+  sample_y_.resize(count);
 }
 
 void TileRenderer::shade_in_packets(const Tile& tile, Film& film) {
   const int k = job_.grid;
   const int height = std::max(8 / k, 1);
+  const double share = 1.0 / (k * k);
   for (int y0 = tile.y0; y0 < tile.y1; y0 += height) {
     const Tile strip{tile.x0, y0, tile.x1, std::min(y0 + height, tile.y1)};
-    place_samples(strip);
-    const std::size_t count = sample_x_.size();
-    traced_.resize(count);
-    colors_.resize(count);
-    packets_->trace(sample_x_, sample_y_, traced_);
-    for (std::size_t i = 0; i < count; ++i) colors_[sample_place_[i]] = traced_[i];
     const int columns = k * (strip.x1 - strip.x0);
+    const int rows = k * (strip.y1 - strip.y0);
+    const Outline::Columns seen = outline_.columns(strip.y0, strip.y1);
+    const auto column = [&](double x) { return static_cast<int>(std::clamp<double>(k * (x - strip.x0), 0, columns)); };
+    const int first = column(std::floor(seen.first));
+    const int last = std::max(first, column(std::ceil(seen.last)));
+    place_samples(strip, first, last);
+    traced_.resize(sample_x_.size());
+    packets_->trace(sample_x_, sample_y_, traced_);
+    beyond_bounds_ += static_cast<std::uint64_t>(columns * rows) - traced_.size();
+    colors_.assign(static_cast<std::size_t>(columns * rows), job_.view.background);
+    for (std::size_t i = 0; i < traced_.size(); ++i) colors_[sample_place_[i]] = traced_[i];
     each_pixel(strip, [&](int x, int y) {
       Rgb sum;
-      for (int i = 0; i < k * k; ++i) {
-        const int row = k * (y - strip.y0) + i / k;
-        sum = sum + colors_[static_cast<std::size_t>(row * columns + k * (x - strip.x0) + i % k)];
+      for (int j = k * (y - strip.y0); j < k * (y - strip.y0 + 1); ++j) {
+        const auto at = static_cast<std::size_t>(j * columns + k * (x - strip.x0));
+        for (int i = 0; i < k; ++i) sum = sum + colors_[at + static_cast<std::size_t>(i)];
       }
-      film.set(x, y, (1.0 / (k * k)) * sum);
+      film.set(x, y, share * sum);
     });
   }
 }

@@ -6,6 +6,7 @@
 
 #include "raycast/caster.h"
 #include "shade/camera.h"
+#include "shade/detail/outline.h"
 #include "shade/detail/packet_tracer.h"
 #include "shade/detail/sight.h"
 #include "shade/film.h"
@@ -44,7 +45,7 @@ class TileRenderer {
  private:
   void shade(const Tile& tile, Film& film);
   void shade_in_packets(const Tile& tile, Film& film);
-  void place_samples(const Tile& strip);
+  void place_samples(const Tile& strip, int first, int last);
   void draw_edges(const Tile& tile, Film& film);
   void measure(const Tile& tile, Film& film);
   void show_sights(const Tile& tile, Film& film);
@@ -56,6 +57,8 @@ class TileRenderer {
   Caster caster_;
   Tracer tracer_;
   std::optional<PacketTracer> packets_;
+  Outline outline_;  // of the solid; beyond it packets see the background
+  std::uint64_t beyond_bounds_ = 0;
   std::uint64_t primary_ = 0;
   IntervalList intervals_;
   std::vector<Sight> sights_;
