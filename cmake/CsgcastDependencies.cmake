@@ -6,4 +6,4 @@ find_package(Eigen3 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(gmpxx REQUIRED IMPORTED_TARGET gmpxx)
 # The kinds of picture; each library is seen by one file of shade/detail/.
-pkg_check_modules(pictures REQUIRED IMPORTED_TARGET libpng libjpeg libtiff-4>=4.5 OpenEXR>=3)
+pkg_check_modules(csgcast_pictures REQUIRED IMPORTED_TARGET libpng libjpeg libtiff-4>=4.5 OpenEXR>=3)
