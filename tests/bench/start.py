@@ -50,7 +50,7 @@ def main():
     parser.add_argument("--threads", type=int, default=2, help="2")
     parser.add_argument("--size", default="800x600", help="800x600")
     parser.add_argument("--kind", default="png", help="of picture: png, jpg, tif or exr")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     options.scenes = options.scenes or sorted(EXAMPLES.glob("*.csg"))
     width = max(len(Path(scene).stem) for scene in options.scenes) + 2
     print(f"median milliseconds of {options.runs} runs: {options.size}, {options.threads} threads, .{options.kind}")
