@@ -6,9 +6,5 @@ find_package(Eigen3 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(gmpxx REQUIRED IMPORTED_TARGET gmpxx)
 pkg_check_modules(libhwy REQUIRED IMPORTED_TARGET libhwy)
-# pkg-config first: Debian's OpenImageIOConfig.cmake stops with an error unless packages are there that nobody else needs.
-pkg_check_modules(OpenImageIO IMPORTED_TARGET OpenImageIO)
-if(NOT TARGET PkgConfig::OpenImageIO)
-  find_package(OpenImageIO REQUIRED)
-  add_library(PkgConfig::OpenImageIO ALIAS OpenImageIO::OpenImageIO)
-endif()
+# The kinds of picture; each library is seen by one file of shade/detail/.
+pkg_check_modules(csgcast_pictures REQUIRED IMPORTED_TARGET libpng libjpeg libtiff-4>=4.5 OpenEXR>=3)

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "shade/detail/srgb_bytes.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -49,6 +51,18 @@ std::array<double, 3> color_of_id(double id) {
   return {channel(0), channel(2.0 / 3), channel(1.0 / 3)};
 }
 
+// Neighbours mostly have the same id, and the same colour then.
+void color_ids(const std::vector<float>& ids, std::vector<std::uint8_t>& bytes) {
+  std::array<std::uint8_t, 3> color{};
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (i == 0 || ids[i] != ids[i - 1]) {
+      const std::array<double, 3> channels = color_of_id(ids[i]);
+      std::transform(channels.begin(), channels.end(), color.begin(), to_byte);
+    }
+    std::copy(color.begin(), color.end(), bytes.begin() + static_cast<std::ptrdiff_t>(3 * i));
+  }
+}
+
 }  // namespace
 
 std::uint8_t to_byte(double x) {
@@ -57,29 +71,29 @@ std::uint8_t to_byte(double x) {
 }
 
 EncodedFilm encode(const Film& film) {
-  EncodedFilm result{film.content() == FilmContent::id ? 3 : channels(film.content()), {}};
+  const FilmContent content = film.content();
+  EncodedFilm result{film.width(), film.height(), content == FilmContent::id ? 3 : channels(content), content, {}};
   const std::vector<float>& values = film.values();
-  result.bytes.reserve(values.size() * static_cast<std::size_t>(result.channels / channels(film.content())));
-  const bool scaled = film.content() == FilmContent::depth || film.content() == FilmContent::length;
-  const std::array<double, 2> range = scaled ? range_of(film) : std::array<double, 2>{};
-  for (const float value : values) {
-    switch (film.content()) {
-      case FilmContent::color:
-        result.bytes.push_back(to_byte(srgb_from_linear(std::min(value, 1.0F))));
-        break;
-      case FilmContent::normal:
-        result.bytes.push_back(to_byte(value));
-        break;
-      case FilmContent::depth:
-        result.bytes.push_back(to_byte(shade_of_depth(value, range)));
-        break;
-      case FilmContent::length:
-        result.bytes.push_back(to_byte(shade_of_length(value, range[1])));
-        break;
-      case FilmContent::id:
-        for (const double channel : color_of_id(value)) result.bytes.push_back(to_byte(channel));
-        break;
-    }
+  result.bytes.resize(values.size() * static_cast<std::size_t>(result.channels / channels(content)));
+  const auto each = [&](auto&& byte_of) {
+    std::transform(values.begin(), values.end(), result.bytes.begin(), byte_of);
+  };
+  switch (content) {
+    case FilmContent::color:
+      each(SrgbBytes());
+      break;
+    case FilmContent::normal:
+      each(to_byte);
+      break;
+    case FilmContent::depth:
+      each([range = range_of(film)](float value) { return to_byte(shade_of_depth(value, range)); });
+      break;
+    case FilmContent::length:
+      each([range = range_of(film)](float value) { return to_byte(shade_of_length(value, range[1])); });
+      break;
+    case FilmContent::id:
+      color_ids(values, result.bytes);
+      break;
   }
   return result;
 }

@@ -8,9 +8,12 @@
 
 namespace csgcast::detail {
 
-/// A film in 8 bits: rows from the top, three channels (R, G, B) for colours, normals and ids, one for lengths.
+/// A film in 8 bits: rows from the top, three channels (R, G, B) for colours, normals and ids, else one.
 struct EncodedFilm {
+  int width = 0;
+  int height = 0;
   int channels = 0;
+  FilmContent content = FilmContent::color;
   std::vector<std::uint8_t> bytes;
 };
 

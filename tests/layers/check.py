@@ -3,8 +3,8 @@
 """Checks the rules of the house that no compiler checks. Usage: check.py PROJECT_FOLDER
 
 Includes point down only, cli -> shade, verify -> raycast -> csg; they start with the module's name; a .cpp includes its own header
-first. What is below MODULE/detail/ is included by that module and by the tests, never by a public header. OpenImageIO is seen
-by one file of shade/, CGAL only by the tests. No file is longer than 400 lines, no function longer than 60 unless a comment
+first. What is below MODULE/detail/ is included by that module and by the tests, never by a public header. Each library of a kind
+of picture is seen by one file of shade/, CGAL only by the tests. No file is longer than 400 lines, no function longer than 60 unless a comment
 `// long: REASON` stands right above it or inside it. Prints file:line: breach for each, and exits 1 if there is one.
 """
 import re
@@ -16,6 +16,10 @@ BELOW = {"csg": [], "raycast": ["csg"], "shade": ["csg", "raycast"], "verify": [
 MODULES = list(BELOW)
 FOLDERS = MODULES + ["tests", "examples"]
 MAX_FILE, MAX_FUNCTION = 400, 60
+
+# The libraries of the kinds of pictures, by the names of their headers.
+PICTURE_LIBRARIES = {"libpng": r"png\w*\.h", "libjpeg": r"(jpeglib|jerror|turbojpeg)\.h", "libtiff": r"tiff\w*\.h",
+                     "OpenEXR": r"((OpenEXR|Imath)/.*|(Imf|Imath|Iex|IlmThread)\w*\.h)"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)')
 COMMENT_OR_LITERAL = re.compile(
@@ -56,6 +60,11 @@ def functions(text):
             head += char
 
 
+def picture_library(path):
+    """The library of pictures that a header belongs to; None if there is none."""
+    return next((name for name, headers in PICTURE_LIBRARIES.items() if re.fullmatch(headers, path)), None)
+
+
 def check_sizes(name, text):
     lines = text.splitlines()
     if len(lines) > MAX_FILE:
@@ -84,12 +93,12 @@ def check_includes(name, text, own_header):
             yield f"{where}: {path} is private"
         elif target == "CGAL" and module != "tests":
             yield f"{where}: CGAL is for the tests alone"
-        elif target == "OpenImageIO" and module not in ("shade", "tests"):
-            yield f"{where}: OpenImageIO is for one file of shade alone"
+        elif (library := picture_library(path)) and module not in ("shade", "tests"):
+            yield f"{where}: {library} is for one file of shade alone"
 
 
 def check(root):
-    image_files = []
+    seen_by = {}  # the first file of shade that includes a library of pictures
     for folder in FOLDERS:
         for path in sorted((root / folder).rglob("*.[hc]*")):
             if path.suffix not in (".h", ".cpp"):
@@ -99,10 +108,9 @@ def check(root):
             own_header = header.relative_to(root).as_posix() if header and header.exists() else None
             yield from check_sizes(name, text)
             yield from check_includes(name, text, own_header)
-            if folder == "shade" and any(target.startswith("OpenImageIO/") for _, _, target in includes(text)):
-                image_files.append(name)
-    if len(image_files) > 1:
-        yield f"{image_files[1]}:1: OpenImageIO is seen by {image_files[0]} already"
+            for library in {picture_library(target) for _, _, target in includes(text)} - {None}:
+                if folder == "shade" and seen_by.setdefault(library, name) != name:
+                    yield f"{name}:1: {library} is seen by {seen_by[library]} already"
 
 
 if __name__ == "__main__":

@@ -50,12 +50,14 @@ class Breach(unittest.TestCase):
     def test_cgal_in_the_product(self):
         self.assert_breach("CGAL", {"csg/a.cpp": "#include <CGAL/Gmpq.h>\n"})
 
-    def test_openimageio_outside_shade(self):
-        self.assert_breach("OpenImageIO", {"cli/a.cpp": "#include <OpenImageIO/imageio.h>\n"})
+    def test_a_library_of_pictures_outside_shade(self):
+        self.assert_breach("libpng", {"cli/a.cpp": "#include <png.h>\n"})
+        self.assert_breach("OpenEXR", {"cli/a.cpp": "#include <ImfOutputFile.h>\n"})
 
-    def test_openimageio_in_two_files(self):
-        text = "#include <OpenImageIO/imageio.h>\n"
-        self.assert_breach("shade/b.cpp:1", {"shade/a.cpp": text, "shade/b.cpp": text})
+    def test_a_library_of_pictures_in_two_files(self):
+        for header in ["png.h", "jpeglib.h", "tiffio.h", "OpenEXR/ImfHeader.h"]:
+            text = f"#include <{header}>\n"
+            self.assert_breach("shade/b.cpp:1", {"shade/a.cpp": text, "shade/b.cpp": text})
 
     def test_a_file_of_401_lines(self):
         self.assert_breach("400 lines", {"csg/a.cpp": "int a;\n" * 401})
@@ -80,6 +82,10 @@ class NoBreach(unittest.TestCase):
 
     def test_includes_that_point_down(self):
         self.assert_clean({"cli/a.cpp": '#include <vector>\n#include "csg/b.h"\n#include "shade/c.h"\n#include "verify/d.h"\n'})
+
+    def test_each_library_of_pictures_in_a_file_of_its_own(self):
+        self.assert_clean({"shade/a.cpp": "#include <png.h>\n", "shade/b.cpp": "#include <ImfHeader.h>\n#include <Iex.h>\n",
+                           "tests/shade/c.cpp": "#include <png.h>\n#include <tiffio.h>\n"})
 
     def test_its_own_private_header(self):
         self.assert_clean({"csg/a.cpp": '#include "csg/detail/b.h"\n', "csg/detail/c.h": '#include "csg/detail/b.h"\n'})

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <OpenImageIO/imageio.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <bit>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -12,10 +14,15 @@
 
 #include "csg/error.h"
 #include "shade/detail/encode.h"
+#include "shade/detail/picture_formats.h"
+#include "shade/detail/srgb_bytes.h"
 #include "shade/image_file.h"
+#include "tests/shade/read_picture.h"
 #include "tests/support/catch.h"
 
 using namespace csgcast;
+using test::Picture;
+using test::read_picture;
 namespace fs = std::filesystem;
 
 namespace {
@@ -36,25 +43,6 @@ class Folder {
   fs::path path_;
 };
 
-struct Picture {
-  int width = 0;
-  int height = 0;
-  std::vector<std::string> channels;
-  std::vector<float> values;
-};
-
-Picture read_back(const std::string& path, OIIO::TypeDesc stored_as) {
-  const auto input = OIIO::ImageInput::open(path);
-  INFO(path << ": " << OIIO::geterror());
-  REQUIRE(input);
-  const OIIO::ImageSpec& spec = input->spec();
-  REQUIRE(spec.format == stored_as);
-  Picture picture{spec.width, spec.height, spec.channelnames, {}};
-  picture.values.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-  REQUIRE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, picture.values.data()));
-  return picture;
-}
-
 Film ramp() {
   Film film(16, 3, FilmContent::color);
   for (int y = 0; y < 3; ++y) {
@@ -74,9 +62,10 @@ TEST_CASE("EXR keeps the linear numbers to the last bit") {
   const Folder folder;
   const Film film = ramp();
   write_image(film, folder.file("a.exr"));
-  const Picture read = read_back(folder.file("a.exr"), OIIO::TypeDesc::FLOAT);
+  const Picture read = read_picture(folder.file("a.exr"));
   REQUIRE(read.width == 16);
   REQUIRE(read.height == 3);
+  REQUIRE(read.bits == 32);
   REQUIRE(read.channels == std::vector<std::string>{"R", "G", "B"});
   REQUIRE(read.values == film.values());
 }
@@ -86,7 +75,9 @@ TEST_CASE("PNG and TIFF hold sRGB in 8 bits, rounded to the nearest and clamped"
   const Film film = ramp();
   for (const char* name : {"a.png", "a.tif", "a.TIFF"}) {
     write_image(film, folder.file(name));
-    const Picture read = read_back(folder.file(name), OIIO::TypeDesc::UINT8);
+    const Picture read = read_picture(folder.file(name));
+    REQUIRE(read.bits == 8);
+    REQUIRE(read.channels.size() == 3);
     REQUIRE(read.values.size() == film.values().size());
     for (std::size_t i = 0; i < read.values.size(); ++i) {
       const double encoded = srgb_from_linear(std::fmin(film.values()[i], 1.0));
@@ -100,8 +91,57 @@ TEST_CASE("JPEG is close to the picture") {
   Film film(32, 32, FilmContent::color);
   for (int i = 0; i < 32 * 32; ++i) film.set(i % 32, i / 32, {0.5, 0.2, 0.1});
   write_image(film, folder.file("a.jpg"));
-  const Picture read = read_back(folder.file("a.jpg"), OIIO::TypeDesc::UINT8);
+  const Picture read = read_picture(folder.file("a.jpg"));
   REQUIRE(std::fabs(double(read.values[0]) - srgb_from_linear(0.5)) < 3 / 255.0);
+}
+
+TEST_CASE("lengths are one grey channel in PNG, TIFF and JPEG, byte by byte in the first two") {
+  const Folder folder;
+  Film film(70, 40, FilmContent::length);
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 70; ++x) film.value(x, y) = static_cast<float>(x + 2 * y);
+  }
+  const std::vector<std::uint8_t> bytes = detail::encode(film).bytes;
+  for (const char* name : {"a.png", "a.tif", "a.jpg"}) {
+    write_image(film, folder.file(name));
+    const Picture read = read_picture(folder.file(name));
+    REQUIRE(read.channels.size() == 1);
+    REQUIRE(read.values.size() == bytes.size());
+    const double tolerance = name == std::string("a.jpg") ? 3 : 1e-4;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      REQUIRE(std::fabs(255 * double(read.values[i]) - bytes[i]) <= tolerance);
+  }
+}
+
+TEST_CASE("the same picture makes the same file, in every kind and at any time") {
+  const Folder folder;
+  const std::chrono::year_month_day today(std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  const std::string year = std::to_string(static_cast<int>(today.year())) + ':';
+  for (const char* ending : {".png", ".tif", ".jpg", ".exr"}) {
+    const auto file = [&](const char* name) {
+      write_image(ramp(), folder.file(std::string(name) + ending));
+      return content_of(folder.file(std::string(name) + ending));
+    };
+    const std::string first = file("a");
+    REQUIRE(first.find("csgcast") != std::string::npos);
+    REQUIRE(first.find(year) == std::string::npos);  // a second writing within the same second would not show a date
+    REQUIRE((file("b") == first));
+  }
+}
+
+TEST_CASE("the table of sRGB bytes says what the curve says, wherever the byte changes and in between") {
+  const detail::SrgbBytes byte_of;
+  const auto check = [&](float x) {
+    if (byte_of(x) != detail::to_byte(srgb_from_linear(std::min(x, 1.0F)))) FAIL("differs at " << x);
+  };
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (int byte = 1; byte < 256; ++byte) {
+    float x = static_cast<float>(linear_from_srgb((byte - 0.5) / 255));
+    for (int i = 0; i < 50; ++i) x = std::nextafter(x, 0.0F);
+    for (int i = 0; i < 100; ++i, x = std::nextafter(x, infinity)) check(x);
+  }
+  for (std::uint32_t bits = 0; bits < 0x7f800000; bits += 1021) check(std::bit_cast<float>(bits));
+  for (const float x : {0.0F, -0.0F, -1.0F, 1.0F, 2.0F, infinity, -infinity, std::nanf("")}) check(x);
 }
 
 TEST_CASE("bytes are rounded half up, clamped, and 0 for what is no number") {
@@ -123,7 +163,7 @@ TEST_CASE("depths keep their numbers in EXR, and in 8 bits go from white to dark
   film.value(2, 0) = 7;
   film.value(3, 0) = std::numeric_limits<float>::infinity();
   write_image(film, folder.file("a.exr"));
-  const Picture read = read_back(folder.file("a.exr"), OIIO::TypeDesc::FLOAT);
+  const Picture read = read_picture(folder.file("a.exr"));
   REQUIRE(read.channels == std::vector<std::string>{"Z"});
   REQUIRE(read.values == film.values());
   const std::vector<std::uint8_t> bytes = detail::encode(film).bytes;
@@ -152,7 +192,7 @@ TEST_CASE("neighbouring ids get unlike colours, nothing is black, and EXR has th
     REQUIRE(difference > 100);
   }
   write_image(film, folder.file("a.exr"));
-  REQUIRE(read_back(folder.file("a.exr"), OIIO::TypeDesc::FLOAT).values == film.values());
+  REQUIRE(read_picture(folder.file("a.exr")).values == film.values());
 }
 
 TEST_CASE("unknown endings are refused with the list of known ones") {
@@ -196,6 +236,20 @@ TEST_CASE("a picture that a format cannot hold leaves the old file untouched and
   REQUIRE_THROWS_AS(write_image(Film(65501, 1, FilmContent::length), jpeg), Error);
   REQUIRE(content_of(jpeg) == "old");
   REQUIRE(folder.count() == 1);
+}
+
+TEST_CASE("what a picture's library refuses is told in its words, and the old file stays") {
+  const Folder folder;
+  const std::string png = folder.file("a.png");
+  std::ofstream(png) << "old";
+  const Film wide(1'000'001, 1, FilmContent::length);  // one pixel more than libpng takes
+  REQUIRE_THROWS_WITH(write_image(wide, png), Catch::Contains("cannot be encoded (Invalid IHDR data)"));
+  REQUIRE(content_of(png) == "old");
+  REQUIRE(folder.count() == 1);
+  const detail::EncodedFilm long_row = detail::encode(Film(65501, 1, FilmContent::length));
+  REQUIRE_THROWS_WITH(detail::jpeg_file(long_row), Catch::Contains("65500"));
+  const detail::EncodedFilm nothing{0, 1, 1, FilmContent::length, {}};
+  REQUIRE_THROWS_AS(detail::tiff_file(nothing), detail::PictureFailure);
 }
 
 TEST_CASE("what is no regular file is not replaced") {
