@@ -77,6 +77,9 @@ CellBuilder::CellBuilder(const Scene& scene, NodeId node) : scene_(scene), whole
   for (const Surface& surface : scene.surfaces()) {
     forms_.push_back({surface.local, surface.center});
     data_.surfaces.push_back(make_lane_surface(surface));
+    const LaneSurface::Kind kind = data_.surfaces.back().kind;
+    const bool is_cylinder = kind >= LaneSurface::Kind::cylinder_x && kind <= LaneSurface::Kind::cylinder_z;
+    data_.has_cylinders = data_.has_cylinders || is_cylinder;
   }
   asked_in_.assign(surfaces, 0);
   answer_.assign(surfaces, Sides::both);

@@ -124,6 +124,53 @@ HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& 
   flag(events, hn::AndNot(outwards, hn::And(departing, too_near)));
 }
 
+/// A cylinder about a line along an axis of the frame: a circle in the plane of the other two. Rays nearly along the
+/// axis see nothing of it within reach, or are left to the caster.
+template <class D>
+HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const LaneSurface& cylinder, std::size_t axis,
+                                hn::Mask<D> departing, const Departures<D>* departures, std::size_t i,
+                                Events<D>& events) {
+  using V = hn::Vec<D>;
+  const V near[3] = {line.near.x, line.near.y, line.near.z};
+  const V along[3] = {line.direction.x, line.direction.y, line.direction.z};
+  const std::size_t j = (axis + 1) % 3;
+  const std::size_t k = (axis + 2) % 3;
+  const V zero = hn::Zero(d);
+  const V vj = hn::Sub(near[j], hn::Set(d, cylinder.c[j]));
+  const V vk = hn::Sub(near[k], hn::Set(d, cylinder.c[k]));
+  const V inverse = line.across_inverse[axis];
+  const V middle = hn::Neg(hn::Mul(hn::MulAdd(vj, along[j], hn::Mul(vk, along[k])), inverse));
+  const V qj = hn::MulAdd(middle, along[j], vj);
+  const V qk = hn::MulAdd(middle, along[k], vk);
+  const V radius_squared = hn::Set(d, cylinder.c[3]);
+  const V discriminant = hn::Sub(radius_squared, hn::MulAdd(qj, qj, hn::Mul(qk, qk)));
+  const V half = hn::Sqrt(hn::Mul(hn::Max(discriminant, zero), inverse));
+  const V never = hn::Inf(d);
+  const auto is_steep = hn::Ge(line.across_size[axis], zero);
+  const auto misses = hn::Or(is_steep, hn::Lt(discriminant, zero));
+  events.first[i] = hn::IfThenElse(misses, never, hn::Sub(middle, half));
+  events.second[i] = hn::IfThenElse(misses, never, hn::Add(middle, half));
+  // Along the axis the sign at `near`, where the discriminant was computed for want of a middle, is that of all.
+  const bool outside_is_positive = cylinder.c[5] > 0;
+  const auto stays_inside = hn::And(is_steep, hn::Gt(discriminant, zero));
+  events.positive_before[i] = outside_is_positive ? hn::Not(stays_inside) : stays_inside;
+  const V size = hn::Abs(discriminant);
+  const auto too_thin = hn::Le(size, hn::Mul(hn::Mul(radius_squared, hn::Set(d, 0x1p-17)), inverse));
+  const auto too_near = hn::Le(size, hn::MulAdd(hn::Set(d, 96.0), line.across_size[axis], hn::Set(d, 0x1p-42)));
+  const auto is_open = hn::Or(hn::And(is_steep, too_near), hn::AndNot(is_steep, too_thin));
+  events.slack = hn::Max(events.slack, hn::Set(d, greatest_slack));
+  if (departures == nullptr) return flag(events, is_open);
+  flag(events, hn::AndNot(departing, is_open));
+  flag(events, hn::And(departing, is_steep));
+  const auto outwards = outside_is_positive ? departures->positive : hn::Not(departures->positive);
+  const V other = hn::Sub(hn::Add(middle, middle), line.start);
+  const V before = hn::Neg(never);
+  events.first[i] = hn::IfThenElse(departing, before, events.first[i]);
+  events.second[i] = hn::IfThenElse(departing, hn::IfThenElse(outwards, before, other), events.second[i]);
+  const auto comes_back_soon = hn::Lt(hn::Sub(other, line.start), hn::Set(d, 2 * greatest_slack));
+  flag(events, hn::AndNot(outwards, hn::And(departing, comes_back_soon)));
+}
+
 /// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin; the operations of quadric_line.h.
 template <class D>
 struct QuadraticLanes {
@@ -298,6 +345,12 @@ HWY_INLINE void cell_events(D d, const LineLanes<D>& line, const CellData& cells
       }
       case Kind::plane:
         plane_events(d, line, surface, departing, i, events);
+        break;
+      case Kind::cylinder_x:
+      case Kind::cylinder_y:
+      case Kind::cylinder_z:
+        cylinder_events(d, line, surface, static_cast<std::size_t>(surface.kind) - static_cast<std::size_t>(Kind::cylinder_x),
+                        departing, departures, i, events);
         break;
       case Kind::sphere:
         sphere_events(d, line, surface, departing, departures, i, events);

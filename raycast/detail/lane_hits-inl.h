@@ -60,12 +60,13 @@ HWY_INLINE Triples<hn::Vec<D>> place_of(D d, const LineLanes<D>& line, const Fra
 
 /// The surface's gradient at a place, unit: gradient() and normalised().
 template <class D>
-HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const Frame& frame,
+HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const LaneSurface& lane, const Frame& frame,
                                              const Triples<hn::Vec<D>>& p) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto c = [&](std::size_t term) { return hn::Set(d, surface.local[term]); };
-  if (surface.kind == SurfaceKind::plane) return normalised_lanes(d, Triples<V>{c(Form::x), c(Form::y), c(Form::z)});
+  if (surface.kind == SurfaceKind::plane)
+    return {hn::Set(d, lane.center[0]), hn::Set(d, lane.center[1]), hn::Set(d, lane.center[2])};
   const V to_frame = hn::Set(d, std::ldexp(1.0, -frame.exponent));
   const auto local = [&](V x, double center, double own) {
     return hn::Sub(hn::Mul(hn::Sub(x, hn::Set(d, center)), to_frame), hn::Set(d, own));
@@ -111,7 +112,7 @@ HWY_INLINE hn::Mask<D> tell_hits(D d, const Scene& scene, const CellData& cells,
     tau = hn::IfThenElse(same, own, tau);
     if (!wants_faces) continue;
     const auto p = place_of(d, line, scene.frame(), own);
-    const auto n = unit_gradient(d, surface, scene.frame(), p);
+    const auto n = unit_gradient(d, surface, cells.surfaces[id], scene.frame(), p);
     place = {hn::IfThenElse(same, p.x, place.x), hn::IfThenElse(same, p.y, place.y),
              hn::IfThenElse(same, p.z, place.z)};
     normal = {hn::IfThenElse(same, n.x, normal.x), hn::IfThenElse(same, n.y, normal.y),

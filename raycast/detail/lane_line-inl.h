@@ -73,6 +73,8 @@ struct LineLanes {
   Triples<V> cell_near, cell_direction;  ///< the same in the cells' axes
   V inverse[3];                          ///< of cell_direction; huge where it is zero
   V axis_inverse[3];                     ///< of direction
+  V across_inverse[3];  ///< 1 / (direction_squared less the axis' own part); 0 for rays nearly along the axis
+  V across_size[3];     ///< the root of that part, for these rays; else -1
   V guard[3];     ///< how near a plane square to the axis must be to be left to the caster; below 0: never
   M is_negative[3];
   V start, end;  ///< tau
@@ -149,6 +151,16 @@ HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, 
     line.guard[axis] = hn::IfThenElse(is_loose, guard, hn::Set(d, -1.0));
   }
   line.slack = slack;
+  if (cells.has_cylinders) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const V i = along[(axis + 1) % 3];
+      const V j = along[(axis + 2) % 3];
+      const V across = hn::MulAdd(i, i, hn::Mul(j, j));
+      const auto is_steep = hn::Lt(across, hn::Set(d, 0x1p-14));
+      line.across_inverse[axis] = hn::IfThenZeroElse(is_steep, hn::Div(hn::Set(d, 1.0), across));
+      line.across_size[axis] = hn::IfThenElse(is_steep, hn::Sqrt(across), hn::Set(d, -1.0));
+    }
+  }
   line.cell_near = line.near;
   line.cell_direction = line.direction;
   for (int axis = 0; axis < 3; ++axis) line.inverse[axis] = line.axis_inverse[axis];

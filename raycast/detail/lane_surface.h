@@ -15,13 +15,16 @@ struct LaneSurface {
     plane_y,
     plane_z,
     plane,     ///< c[0..2] normal, c[3] constant, c[4] what its crossings are off times |slope|, c[5] of its value
+    cylinder_x,  ///< about a line along an axis: c[0..2] center, c[3] radius², c[5] as of a sphere
+    cylinder_y,
+    cylinder_z,
     sphere,    ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
     quadric,   ///< the form about its center, as in Surface
     undecided  ///< its doubles decide nothing
   };
 
   Surface::Coefficients c{};
-  std::array<double, 3> center{};
+  std::array<double, 3> center{};  ///< of a quadric; of a plane the unit normal
   double second_degree = 0;
   double first_degree = 0;
   double constant = 0;

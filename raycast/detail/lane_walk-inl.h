@@ -335,7 +335,7 @@ class Walk {
     const Bits bits;
     if (hn::AllFalse(D(), changes)) return;
     const auto lanes = hn::RebindMask(bits, changes);
-    const U index = hn::Sub(hn::Set(bits, 63), leading_zeros(flips));
+    const U index = logarithm(flips);
     if constexpr (wanted == Wanted::all) return append(cell, changes, index, hn::And(flips, after));
     slot_ = hn::IfThenElse(lanes, hn::Add(hn::Set(bits, cell.first_slot), index), slot_);
     rises_ = hn::IfThenElse(lanes, hn::And(flips, after), rises_);
@@ -365,14 +365,12 @@ class Walk {
     }
   }
 
-  HWY_INLINE U leading_zeros(U word) const {
-    // The exponent of a power of two as a double tells its logarithm; 2^63 fits, too.
-    const Bits bits;
-    HWY_ALIGN std::uint64_t values[16];
-    hn::Store(word, bits, values);
-    for (std::size_t i = 0; i < hn::Lanes(bits); ++i)
-      values[i] = values[i] == 0 ? 63 : static_cast<std::uint64_t>(__builtin_clzll(values[i]));
-    return hn::Load(bits, values);
+  /// The logarithm of a power of two below 2^63: the exponent of the same number as a double.
+  HWY_INLINE U logarithm(U power) const {
+    const D d;
+    const hn::RebindToSigned<D> whole;
+    const U exponent = csgcast::HWY_NAMESPACE::biased_exponent(d, hn::ConvertTo(d, hn::BitCast(whole, power)));
+    return hn::Sub(exponent, hn::Set(Bits(), 1023));
   }
 
   static constexpr std::size_t most_depth = 72;

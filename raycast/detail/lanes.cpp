@@ -74,15 +74,20 @@ HWY_INLINE void store_owners(D d, const CellData& cells, const LaneHits& hits, s
   }
 }
 
+/// A byte of 1 or 0 for each of eight bits, the lowest first.
+HWY_INLINE std::uint64_t bytes_of(unsigned bits) {
+  // Each byte gets all bits and keeps its own; then whatever is left of it moves to the byte's lowest bit.
+  const std::uint64_t own = (bits & 0xffu) * 0x0101010101010101u & 0x8040201008040201u;
+  return ((own + 0x7f7f7f7f7f7f7f7fu) | own) >> 7 & 0x0101010101010101u;
+}
+
 HWY_INLINE void store_states(const LaneHits& hits, std::size_t first, std::size_t count, const Outcome& outcome,
                              LaneCounts& counts) {
   const unsigned found = outcome.found[0];
   const unsigned inside = outcome.inside[0];
-  for (std::size_t i = 0; i < count; ++i) {
-    const unsigned is_found = (found >> i) & 1u;
-    const unsigned leaves = is_found & ~(inside >> i);
-    hits.faces.state[first + i] = static_cast<std::uint8_t>(is_found + leaves);
-  }
+  // FaceArrays::entry is 1, exit 2.
+  const std::uint64_t states = bytes_of(found) + bytes_of(found & ~inside);
+  std::memcpy(hits.faces.state + first, &states, count);
   for (unsigned left = outcome.left[0]; left != 0; left &= left - 1) {
     hits.left->push_back(static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(__builtin_ctz(left)));
     ++counts.flagged;
