@@ -248,6 +248,8 @@ void PacketCaster::any_hits(const RayArrays& rays, std::uint8_t* hits) {
   }
 }
 
+std::span<const std::uint32_t> PacketCaster::left_to_caster() const { return state_->left; }
+
 PacketCounts PacketCaster::counts() const {
   const detail::LaneCounts& c = state_->counts;
   return {c.rays, c.packets, c.nodes, c.cells, c.surface_tests, c.flagged};

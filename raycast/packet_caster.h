@@ -66,6 +66,8 @@ class PacketCaster {
 
   /// What Caster::first_hit and attribute say, for pictures: t is close to the nearest double, and rays are arrays.
   void first_faces(const RayArrays& rays, const FaceArrays& faces);
+  /// The rays of the last call that lanes could not decide, and that went to the caster: their places in the arrays.
+  std::span<const std::uint32_t> left_to_caster() const;
   /// any_hits for rays as arrays, which may depart from surfaces and end.
   void any_hits(const RayArrays& rays, std::uint8_t* hits);
 

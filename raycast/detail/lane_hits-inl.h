@@ -124,6 +124,7 @@ HWY_INLINE hn::Mask<D> tell_hits(D d, const Scene& scene, const CellData& cells,
   t = hn::Mul(hn::Add(line.shift, tau), line.unit);
   if (!wants_faces) return open;
   open = hn::Or(open, hn::And(hits, hn::Eq(longest(normal), zero)));
+  open = hn::Or(open, hn::And(hits, hn::Not(hn::Lt(longest(place), hn::Set(d, 0x1p1000)))));
   normal = {turned(normal.x), turned(normal.y), turned(normal.z)};
   return open;
 }

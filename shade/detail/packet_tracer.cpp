@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "shade/detail/shading_lanes.h"
 
@@ -17,7 +16,10 @@ bool PacketTracer::suits(const Scene& scene, const View& view, const Camera& cam
 
 PacketTracer::PacketTracer(const Cells& cells, const View& view, const Camera& camera, Tracer& tracer)
     : scene_(cells.scene()), view_(view), camera_(camera), tracer_(tracer), caster_(cells) {
-  for (const Material& look : scene_.looks()) mirrors_.push_back(look.reflection > 0 ? 1 : 0);
+  for (const Material& look : scene_.looks()) {
+    mirrors_.push_back(look.reflection > 0 ? 1 : 0);
+    has_mirrors_ = has_mirrors_ || look.reflection > 0;
+  }
 }
 
 RenderReport PacketTracer::report() const {
@@ -29,12 +31,13 @@ RenderReport PacketTracer::report() const {
 
 void PacketTracer::resize(std::size_t count) {
   if (t_.size() >= count) return;
-  for (Vectors* vectors : {&origin_, &direction_, &point_, &normal_, &hit_point_, &hit_normal_, &hit_direction_,
-                           &color_, &light_, &path_, &shadow_origin_, &shadow_direction_}) {
-    for (Numbers& numbers : *vectors) numbers.resize(count);
+  constexpr std::size_t more = 8;  // stores of whole registers reach beyond
+  for (Vectors* vectors :
+       {&origin_, &direction_, &point_, &normal_, &color_, &shadow_origin_, &path_, &light_}) {
+    for (Numbers& numbers : *vectors) numbers.resize(count + more);
   }
-  for (auto* list : {&surface_, &look_, &sample_, &hit_look_, &shaded_, &departure_}) list->resize(count);
-  for (auto* list : {&state_, &comes_positive_, &effect_, &departs_positive_, &blocked_}) list->resize(count);
+  for (auto* list : {&surface_, &look_, &sample_, &departure_}) list->resize(count);
+  for (auto* list : {&state_, &comes_positive_, &is_plain_, &departs_positive_, &blocked_}) list->resize(count);
   t_.resize(count);
   ones_.resize(count, 1.0);
 }
@@ -43,24 +46,18 @@ void PacketTracer::trace(std::span<const double> x, std::span<const double> y, s
   if (x.empty()) return;
   resize(x.size());
   see(x, y);
-  sort_out(colors);
-  if (sample_.empty()) return;
-  const ShadingPoints points{sample_.size(),
-                             {hit_point_[0].data(), hit_point_[1].data(), hit_point_[2].data()},
-                             {hit_normal_[0].data(), hit_normal_[1].data(), hit_normal_[2].data()},
-                             {hit_direction_[0].data(), hit_direction_[1].data(), hit_direction_[2].data()},
-                             hit_look_.data()};
-  const Material* looks = scene_.looks().data();
-  shading_code().unlit(looks, points, pointers(color_).data());
-  for (const LightDescription& light : view_.lights) {
-    LightArrays lit;
-    lit.effect = effect_.data();
-    std::copy_n(pointers(light_).begin(), 3, lit.light);
-    std::copy_n(pointers(path_).begin(), 3, lit.path);
-    shading_code().light(looks, light, points, lit);
-    add_light(light);
+  if (!sort_out(colors)) return;
+  const ShadingPoints points{x.size(),
+                             is_plain_.data(),
+                             {point_[0].data(), point_[1].data(), point_[2].data()},
+                             {normal_[0].data(), normal_[1].data(), normal_[2].data()},
+                             {direction_[0].data(), direction_[1].data(), direction_[2].data()},
+                             look_.data()};
+  shading_code().unlit(scene_.looks().data(), points, pointers(color_).data());
+  for (const LightDescription& light : view_.lights) add_light(light, points);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (is_plain_[i] != 0) colors[i] = {color_[0][i], color_[1][i], color_[2][i]};
   }
-  for (std::size_t k = 0; k < sample_.size(); ++k) colors[sample_[k]] = {color_[0][k], color_[1][k], color_[2][k]};
 }
 
 // What each sample's ray meets.
@@ -82,74 +79,67 @@ void PacketTracer::see(std::span<const double> x, std::span<const double> y) {
   faces.look = look_.data();
   faces.comes_positive = comes_positive_.data();
   caster_.first_faces(rays, faces);
-  sample_.resize(x.size());
-  std::iota(sample_.begin(), sample_.end(), 0u);
 }
 
-// An opaque face without a mirror, seen from outside.
-bool PacketTracer::is_plain(std::size_t i) const {
-  return state_[i] == FaceArrays::entry && mirrors_[look_[i]] == 0 &&
-         std::isfinite(point_[0][i] + point_[1][i] + point_[2][i]);
-}
-
-// Samples that see nothing get the background, those that see more than packets can shade go to the tracer; the others
-// are put close together.
-void PacketTracer::sort_out(std::span<Rgb> colors) {
-  std::size_t kept = 0;
-  for (const std::uint32_t i : sample_) {
+// Samples that see nothing get the background, those that see more than an opaque face without a mirror, from outside,
+// go to the tracer; the others are plain. Whether there are any.
+bool PacketTracer::sort_out(std::span<Rgb> colors) {
+  std::uint64_t plain = 0;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const bool is_plain = state_[i] == FaceArrays::entry && !(has_mirrors_ && mirrors_[look_[i]] != 0);
+    is_plain_[i] = is_plain ? 1 : 0;
+    plain += is_plain_[i];
+    if (is_plain) continue;
     if (state_[i] == FaceArrays::none) {
       ++report_.rays.primary;
       colors[i] = view_.background;
-      continue;
+    } else {
+      trace_alone(i, colors[i]);
     }
-    if (!is_plain(i)) {
-      colors[i] = tracer_.trace({{origin_[0][i], origin_[1][i], origin_[2][i]},
-                                 {direction_[0][i], direction_[1][i], direction_[2][i]}});
-      continue;
-    }
-    ++report_.rays.primary;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      hit_point_[axis][kept] = point_[axis][i];
-      hit_normal_[axis][kept] = normal_[axis][i];
-      hit_direction_[axis][kept] = direction_[axis][i];
-    }
-    hit_look_[kept] = look_[i];
-    sample_[kept++] = i;
   }
-  sample_.resize(kept);
+  // Lanes tell of no place that is not finite.
+  for (const std::uint32_t i : caster_.left_to_caster()) {
+    if (is_plain_[i] == 0 || std::isfinite(point_[0][i] + point_[1][i] + point_[2][i])) continue;
+    is_plain_[i] = 0;
+    --plain;
+    trace_alone(i, colors[i]);
+  }
+  report_.rays.primary += plain;
+  return plain > 0;
+}
+
+void PacketTracer::trace_alone(std::size_t sample, Rgb& color) {
+  color = tracer_.trace({{origin_[0][sample], origin_[1][sample], origin_[2][sample]},
+                         {direction_[0][sample], direction_[1][sample], direction_[2][sample]}});
 }
 
 // Adds what a light brings where nothing is in its way.
-void PacketTracer::add_light(const LightDescription& light) {
-  std::size_t rays = 0;
-  for (std::size_t k = 0; k < sample_.size(); ++k) {
-    const auto effect = static_cast<LightEffect>(effect_[k]);
-    report_.skipped.shadow_facing_away += effect == LightEffect::facing_away ? 1 : 0;
-    report_.skipped.shadow_without_effect += effect == LightEffect::none ? 1 : 0;
-    if (effect != LightEffect::some) continue;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      shadow_origin_[axis][rays] = hit_point_[axis][k];
-      shadow_direction_[axis][rays] = path_[axis][k];
-    }
-    departure_[rays] = surface_[sample_[k]];
-    departs_positive_[rays] = comes_positive_[sample_[k]];
-    shaded_[rays++] = static_cast<std::uint32_t>(k);
+void PacketTracer::add_light(const LightDescription& light, const ShadingPoints& points) {
+  ShadowRays shadows;
+  std::copy_n(pointers(shadow_origin_).begin(), 3, shadows.origin);
+  std::copy_n(pointers(path_).begin(), 3, shadows.path);
+  std::copy_n(pointers(light_).begin(), 3, shadows.light);
+  shadows.sample = sample_.data();
+  shading_code().light(scene_.looks().data(), light, points, shadows);
+  report_.skipped.shadow_facing_away += shadows.facing_away;
+  report_.skipped.shadow_without_effect += shadows.without_effect;
+  report_.rays.shadow += shadows.count;
+  if (shadows.count == 0) return;
+  for (std::size_t ray = 0; ray < shadows.count; ++ray) {
+    departure_[ray] = surface_[sample_[ray]];
+    departs_positive_[ray] = comes_positive_[sample_[ray]];
   }
-  report_.rays.shadow += rays;
-  RayArrays shadows;
-  shadows.count = rays;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    shadows.origin[axis] = shadow_origin_[axis].data();
-    shadows.direction[axis] = shadow_direction_[axis].data();
-  }
-  shadows.departure = departure_.data();
-  shadows.departs_positive = departs_positive_.data();
-  shadows.end = light.position ? ones_.data() : nullptr;
-  caster_.any_hits(shadows, blocked_.data());
-  for (std::size_t ray = 0; ray < rays; ++ray) {
+  RayArrays rays;
+  rays.count = shadows.count;
+  std::copy_n(shadows.origin, 3, rays.origin);
+  std::copy_n(shadows.path, 3, rays.direction);
+  rays.departure = departure_.data();
+  rays.departs_positive = departs_positive_.data();
+  rays.end = light.position ? ones_.data() : nullptr;
+  caster_.any_hits(rays, blocked_.data());
+  for (std::size_t ray = 0; ray < shadows.count; ++ray) {
     if (blocked_[ray] != 0) continue;
-    const std::uint32_t k = shaded_[ray];
-    for (std::size_t channel = 0; channel < 3; ++channel) color_[channel][k] += light_[channel][k];
+    for (std::size_t channel = 0; channel < 3; ++channel) color_[channel][sample_[ray]] += light_[channel][ray];
   }
 }
 

@@ -14,6 +14,8 @@
 
 namespace csgcast::detail {
 
+struct ShadingPoints;
+
 /// Shades many samples of a picture at once, in lanes: the same light as Tracer's, bit for bit. Samples that see more
 /// than an opaque face without a mirror from outside go to a Tracer, one by one. The working memory of one thread.
 class PacketTracer {
@@ -36,9 +38,9 @@ class PacketTracer {
 
   void resize(std::size_t count);
   void see(std::span<const double> x, std::span<const double> y);
-  void sort_out(std::span<Rgb> colors);
-  bool is_plain(std::size_t i) const;
-  void add_light(const LightDescription& light);
+  bool sort_out(std::span<Rgb> colors);
+  void trace_alone(std::size_t sample, Rgb& color);
+  void add_light(const LightDescription& light, const ShadingPoints& points);
   std::array<double*, 3> pointers(Vectors& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
 
   const Scene& scene_;
@@ -48,21 +50,18 @@ class PacketTracer {
   PacketCaster caster_;
   RenderReport report_;
   std::vector<std::uint8_t> mirrors_;  // by look
+  bool has_mirrors_ = false;
 
   // By sample: its ray, and the face that it sees.
   Vectors origin_, direction_, point_, normal_;
   Numbers t_;
   std::vector<std::uint8_t> state_, comes_positive_;
   std::vector<std::uint32_t> surface_, look_;
-  // By sample that is shaded here, close together.
-  std::vector<std::uint32_t> sample_;
-  Vectors hit_point_, hit_normal_, hit_direction_, color_, light_, path_;
-  std::vector<std::uint32_t> hit_look_;
-  std::vector<std::uint8_t> effect_;
+  std::vector<std::uint8_t> is_plain_;
+  Vectors color_;
   // By shadow ray, close together.
-  std::vector<std::uint32_t> shaded_;
-  Vectors shadow_origin_, shadow_direction_;
-  std::vector<std::uint32_t> departure_;
+  Vectors shadow_origin_, path_, light_;
+  std::vector<std::uint32_t> sample_, departure_;
   std::vector<std::uint8_t> departs_positive_, blocked_;
   Numbers ones_;
 };

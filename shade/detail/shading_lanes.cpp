@@ -52,20 +52,29 @@ void camera_rays(const CameraFrame& camera, std::size_t count, const double* x, 
   }
 }
 
-/// Calls f(look, lanes) for each look of a packet's points.
+/// Calls f(look, lanes) for each look that some of a packet's lanes have.
 template <class F>
-HWY_INLINE void each_look(const ShadingPoints& points, std::size_t first, std::size_t count, F&& f) {
+HWY_INLINE void each_look(const ShadingPoints& points, std::size_t first, std::size_t count, M lanes, F&& f) {
   const Tag d;
   HWY_ALIGN double looks[16];
   for (std::size_t i = 0; i < hn::Lanes(d); ++i)
     looks[i] = static_cast<double>(points.look[first + (i < count ? i : count - 1)]);
   const V of = hn::Load(d, looks);
-  for (M rest = hn::FirstN(d, hn::Lanes(d)); !hn::AllFalse(d, rest);) {
+  for (M rest = lanes; !hn::AllFalse(d, rest);) {
     const double look = looks[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
-    const M same = hn::Eq(of, hn::Set(d, look));
+    const M same = hn::And(rest, hn::Eq(of, hn::Set(d, look)));
     rest = hn::AndNot(same, rest);
     f(static_cast<std::size_t>(look), same);
   }
+}
+
+/// The lanes whose samples are plain.
+HWY_INLINE M plain_lanes(const ShadingPoints& points, std::size_t first, std::size_t count) {
+  const Tag d;
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < count; ++i) bits |= unsigned{points.is_plain[first + i]} << i;
+  const std::uint8_t mask[8] = {static_cast<std::uint8_t>(bits)};
+  return hn::LoadMaskBits(d, mask);
 }
 
 void unlit(const Material* looks, const ShadingPoints& points, double* const* color) {
@@ -74,7 +83,7 @@ void unlit(const Material* looks, const ShadingPoints& points, double* const* co
     const std::size_t some = HWY_MIN(hn::Lanes(d), points.count - first);
     const V zero = hn::Zero(d);
     Triples<V> sum{zero, zero, zero};
-    each_look(points, first, some, [&](std::size_t look, M lanes) {
+    each_look(points, first, some, plain_lanes(points, first, some), [&](std::size_t look, M lanes) {
       const Rgb own = csgcast::unlit(looks[look]);
       sum = choose(lanes, Triples<V>{hn::Set(d, own.r), hn::Set(d, own.g), hn::Set(d, own.b)}, sum);
     });
@@ -144,40 +153,54 @@ HWY_INLINE Triples<V> phong_lanes(const Material& material, const Triples<V>& no
   return {hn::Mul(share.x, from.light.x), hn::Mul(share.y, from.light.y), hn::Mul(share.z, from.light.z)};
 }
 
+/// Puts the lanes' shadow rays behind those that are there.
+HWY_INLINE void append(M lanes, unsigned bits, const Triples<V>& origin, const Triples<V>& path,
+                       const Triples<V>& light, std::size_t first, ShadowRays& rays) {
+  const Tag d;
+  const V values[9] = {origin.x, origin.y, origin.z, path.x, path.y, path.z, light.x, light.y, light.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    hn::CompressStore(values[axis], lanes, d, rays.origin[axis] + rays.count);
+    hn::CompressStore(values[3 + axis], lanes, d, rays.path[axis] + rays.count);
+    hn::CompressStore(values[6 + axis], lanes, d, rays.light[axis] + rays.count);
+  }
+  for (; bits != 0; bits &= bits - 1)
+    rays.sample[rays.count++] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(__builtin_ctz(bits));
+}
+
+HWY_INLINE unsigned bits_of(M lanes) {
+  std::uint8_t bits[8];
+  hn::StoreMaskBits(Tag(), lanes, bits);
+  return bits[0];
+}
+
 void light(const Material* looks, const LightDescription& description, const ShadingPoints& points,
-           const LightArrays& result) {
+           ShadowRays& rays) {
   const Tag d;
   const V zero = hn::Zero(d);
+  rays.count = 0;
   for (std::size_t first = 0; first < points.count; first += hn::Lanes(d)) {
     const std::size_t some = HWY_MIN(hn::Lanes(d), points.count - first);
+    const M plain = plain_lanes(points, first, some);
+    if (hn::AllFalse(d, plain)) continue;
     const Triples<V> ray = load_lanes(d, points.direction, first, some);
     const Triples<V> out = load_lanes(d, points.normal, first, some);
+    const Triples<V> point = load_lanes(d, points.point, first, some);
     const Triples<V> normal = choose(hn::Gt(dot(out, ray), zero), -out, out);
-    const IlluminationLanes from = illuminate_lanes(description, load_lanes(d, points.point, first, some));
+    const IlluminationLanes from = illuminate_lanes(description, point);
     const V n_l = dot(normal, from.to_light);
-    const M faces = hn::And(from.exists, hn::Gt(n_l, zero));
+    const M faces = hn::And(plain, hn::And(from.exists, hn::Gt(n_l, zero)));
+    const M faces_away = hn::AndNot(faces, hn::And(plain, from.exists));
+    rays.facing_away += static_cast<std::uint64_t>(__builtin_popcount(bits_of(faces_away)));
     Triples<V> brings{zero, zero, zero};
     if (!hn::AllFalse(d, faces)) {
-      each_look(points, first, some, [&](std::size_t look, M lanes) {
-        brings = choose(hn::And(lanes, faces), phong_lanes(looks[look], normal, -ray, from, n_l), brings);
+      each_look(points, first, some, faces, [&](std::size_t look, M lanes) {
+        brings = choose(lanes, phong_lanes(looks[look], normal, -ray, from, n_l), brings);
       });
     }
-    store_lanes(d, brings, result.light, first, some);
-    store_lanes(d, from.path, result.path, first, some);
-    const M counts = hn::Gt(hn::Max(hn::Max(brings.x, brings.y), brings.z), zero);
-    HWY_ALIGN std::uint8_t exists_bits[8];
-    HWY_ALIGN std::uint8_t faces_bits[8];
-    HWY_ALIGN std::uint8_t counts_bits[8];
-    hn::StoreMaskBits(d, from.exists, exists_bits);
-    hn::StoreMaskBits(d, faces, faces_bits);
-    hn::StoreMaskBits(d, counts, counts_bits);
-    for (std::size_t i = 0; i < some; ++i) {
-      const auto has = [i](const std::uint8_t* bits) { return ((bits[0] >> i) & 1) != 0; };
-      const bool faces_away = has(exists_bits) && !has(faces_bits);
-      result.effect[first + i] = static_cast<std::uint8_t>(faces_away          ? LightEffect::facing_away
-                                                           : has(counts_bits) ? LightEffect::some
-                                                                              : LightEffect::none);
-    }
+    const M counts = hn::And(faces, hn::Gt(hn::Max(hn::Max(brings.x, brings.y), brings.z), zero));
+    const M none = hn::AndNot(hn::Or(counts, faces_away), plain);
+    rays.without_effect += static_cast<std::uint64_t>(__builtin_popcount(bits_of(none)));
+    append(counts, bits_of(counts), point, from.path, brings, first, rays);
   }
 }
 

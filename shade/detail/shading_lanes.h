@@ -14,26 +14,26 @@
 
 namespace csgcast::detail {
 
-/// Places on opaque solids to be shaded, as arrays.
+/// What samples of a picture see, as arrays.
 struct ShadingPoints {
   std::size_t count = 0;
+  const std::uint8_t* is_plain = nullptr;  ///< 1 for those to be shaded: an opaque face seen from outside
   const double* point[3] = {};
-  const double* normal[3] = {};     ///< unit, out of the solid
-  const double* direction[3] = {};  ///< of the rays that see them, unit
+  const double* normal[3] = {};            ///< unit, out of the solid
+  const double* direction[3] = {};         ///< of the rays that see them, unit
   const std::uint32_t* look = nullptr;
 };
 
-enum class LightEffect : std::uint8_t {
-  facing_away,  ///< the light is behind the surface
-  none,         ///< it would add nothing
-  some,         ///< it adds `light` unless something is in its way
-};
-
-/// What one light would add, as arrays.
-struct LightArrays {
-  std::uint8_t* effect = nullptr;  ///< LightEffect
+/// The shadow rays to one light, close together, and what the light adds if nothing is in their way. Room for as many
+/// as samples, and eight.
+struct ShadowRays {
+  std::size_t count = 0;
+  std::uint64_t facing_away = 0;     ///< samples without one: the light is behind the surface
+  std::uint64_t without_effect = 0;  ///< it would add nothing
+  double* origin[3] = {};
+  double* path[3] = {};              ///< towards the light (Illumination::path)
   double* light[3] = {};
-  double* path[3] = {};  ///< from the point towards the light (Illumination::path)
+  std::uint32_t* sample = nullptr;   ///< whose ray it is
 };
 
 struct ShadingCode {
@@ -41,10 +41,9 @@ struct ShadingCode {
   /// The directions of the rays through places (x, y) of the picture, and their origins.
   void (*camera_rays)(const CameraFrame& camera, std::size_t count, const double* x, const double* y,
                       double* const* origin, double* const* direction);
-  /// What the points show without any light: ambient and emission.
+  /// What plain samples show without any light: ambient and emission. The others get anything.
   void (*unlit)(const Material* looks, const ShadingPoints& points, double* const* color);
-  void (*light)(const Material* looks, const LightDescription& light, const ShadingPoints& points,
-                const LightArrays& result);
+  void (*light)(const Material* looks, const LightDescription& light, const ShadingPoints& points, ShadowRays& rays);
 };
 
 /// The best that this machine can run.

@@ -97,6 +97,9 @@ void TileRenderer::shade_in_packets(const Tile& tile, Film& film) {
   const int k = job_.grid;
   const int height = std::max(8 / k, 1);
   const double share = 1.0 / (k * k);
+  Rgb empty;  // a pixel of background: the average, rounded like any other
+  for (int i = 0; i < k * k; ++i) empty = empty + job_.view.background;
+  empty = share * empty;
   for (int y0 = tile.y0; y0 < tile.y1; y0 += height) {
     const Tile strip{tile.x0, y0, tile.x1, std::min(y0 + height, tile.y1)};
     const int columns = k * (strip.x1 - strip.x0);
@@ -105,12 +108,21 @@ void TileRenderer::shade_in_packets(const Tile& tile, Film& film) {
     const auto column = [&](double x) { return static_cast<int>(std::clamp<double>(k * (x - strip.x0), 0, columns)); };
     const int first = column(std::floor(seen.first));
     const int last = std::max(first, column(std::ceil(seen.last)));
+    beyond_bounds_ += static_cast<std::uint64_t>(rows * (columns - (last - first)));
+    if (first == last) {
+      each_pixel(strip, [&](int x, int y) { film.set(x, y, empty); });
+      continue;
+    }
     place_samples(strip, first, last);
     traced_.resize(sample_x_.size());
     packets_->trace(sample_x_, sample_y_, traced_);
-    beyond_bounds_ += static_cast<std::uint64_t>(columns * rows) - traced_.size();
     colors_.assign(static_cast<std::size_t>(columns * rows), job_.view.background);
     for (std::size_t i = 0; i < traced_.size(); ++i) colors_[sample_place_[i]] = traced_[i];
+    if (k == 1) {
+      const Rgb* color = colors_.data();
+      each_pixel(strip, [&](int x, int y) { film.set(x, y, *color++); });
+      continue;
+    }
     each_pixel(strip, [&](int x, int y) {
       Rgb sum;
       for (int j = k * (y - strip.y0); j < k * (y - strip.y0 + 1); ++j) {
