@@ -5,26 +5,18 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
-#include <type_traits>
 
 #include "tests/bench/accuracy/ball_families.h"
 #include "tests/bench/accuracy/stopwatch.h"
+#include "tests/bench/embree_handles.h"
 
 namespace csgcast::bench {
 namespace {
 
 constexpr int passes = 5;
 
-struct Release {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-template <class Handle>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
-
-Owned<RTCScene> make_scene(RTCDevice device, const std::vector<Ball>& balls) {
-  Owned<RTCScene> scene(rtcNewScene(device));
+OwnedEmbree<RTCScene> make_scene(RTCDevice device, const std::vector<Ball>& balls) {
+  OwnedEmbree<RTCScene> scene(rtcNewScene(device));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* next = static_cast<float*>(
@@ -61,13 +53,13 @@ std::optional<double> first_hit(RTCScene scene, const Ray& ray) {
 }  // namespace
 
 std::optional<FirstHits> ask_embree(std::span<const Sample> samples) {
-  const Owned<RTCDevice> device(rtcNewDevice("threads=1"));
+  const OwnedEmbree<RTCDevice> device(rtcNewDevice("threads=1"));
   FirstHits answer;
   std::vector<double> seconds(passes);
   for (const Sample& sample : samples) {
     const std::optional<std::vector<Ball>> balls = balls_of(sample.solid);
     if (!balls) return std::nullopt;
-    const Owned<RTCScene> scene = make_scene(device.get(), *balls);
+    const OwnedEmbree<RTCScene> scene = make_scene(device.get(), *balls);
     for (const Ray& ray : sample.rays) answer.t.push_back(first_hit(scene.get(), ray));
     for (double& sum : seconds) {
       const Stopwatch watch;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "raycast/ray.h"
+
+namespace csgcast::bench {
+
+/// The intervals of many rays, one ray after the other: ends[first[i] .. first[i + 1]) are entry, exit, entry, exit, ..
+/// of ray i.
+struct IntervalTable {
+  std::vector<double> ends;
+  std::vector<std::size_t> first{0};
+
+  std::size_t rays() const { return first.size() - 1; }
+  std::span<const double> of(std::size_t ray) const {
+    return std::span(ends).subspan(first[ray], first[ray + 1] - first[ray]);
+  }
+  void clear() {
+    ends.clear();
+    first.resize(1);
+  }
+  void end_ray() { first.push_back(ends.size()); }
+};
+
+/// A program, or a way to use one, that is asked about the rays of a scene it was made with. Rays come in tiles
+/// (camera_rays.h), and start outside the solid.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  virtual std::string name() const = 0;
+  virtual bool knows_intervals() const { return true; }
+  /// t of each ray's first hit, infinite if there is none. `t` has one place a ray.
+  virtual void first_hits(std::span<const Ray> rays, std::span<double> t) = 0;
+  /// All intervals of each ray from t = 0 on. The table comes cleared.
+  virtual void intervals(std::span<const Ray> rays, IntervalTable& table) = 0;
+};
+
+}  // namespace csgcast::bench
