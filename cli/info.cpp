@@ -110,7 +110,7 @@ std::string as_text(const Info& info) {
   const Scene& scene = info.input.scene;
   const SceneDescription& description = info.input.description;
   std::string out;
-  append_row(out, "file", printable(info.document.file));
+  append_row(out, "file", printable(info.document.file.string()));
   append_row(out, "statements", fmt::format("{}: {}", info.statements.total, list(info.statements.by_name)));
   append_row(out, "depth", fmt::format("{}", info.statements.depth));
   append_row(out, "leaves", fmt::format("{}: {}", scene.leaves().size(), list(info.leaves.by_kind)));
@@ -221,7 +221,7 @@ std::string as_json(const Info& info) {
   const Scene& scene = info.input.scene;
   std::string out;
   Json json(out);
-  json.begin_object().member("file", info.document.file);
+  json.begin_object().member("file", info.document.file.string());
   json.member("statements", info.statements.total).member("depth", info.statements.depth);
   json_tally(json, "statements_by_name", info.statements.by_name);
   json.member("leaves", std::uint64_t(scene.leaves().size()));

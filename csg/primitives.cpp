@@ -69,7 +69,7 @@ Solid box(Vector size, Centering centering) {
   require_finite("cube", {size.x, size.y, size.z});
   if (!(size.x > 0 && size.y > 0 && size.z > 0)) return {};
   LeafShape shape;
-  shape.kind = "cube";
+  shape.kind = LeafKind::cube;
   shape.is_convex_polyhedron = true;
   bool exact = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -87,7 +87,7 @@ Solid sphere(double radius) {
   require_finite("sphere", {radius});
   if (!(radius > 0)) return {};
   LeafShape shape;
-  shape.kind = "sphere";
+  shape.kind = LeafKind::sphere;
   shape.forms.push_back(axial_form(1.0, 1.0, 1.0, {}, -square(radius)));
   shape.bounds = {{-radius, -radius, -radius}, {radius, radius, radius}};
   shape.semi_axes = Vector{radius, radius, radius};
@@ -99,7 +99,7 @@ Solid ellipsoid(Vector semi_axes) {
   if (!(semi_axes.x > 0 && semi_axes.y > 0 && semi_axes.z > 0)) return {};
   const Dyadic a2 = square(semi_axes.x), b2 = square(semi_axes.y), c2 = square(semi_axes.z);
   LeafShape shape;
-  shape.kind = "ellipsoid";
+  shape.kind = LeafKind::ellipsoid;
   shape.forms.push_back(axial_form(b2 * c2, a2 * c2, a2 * b2, {}, -(a2 * b2 * c2)));
   shape.bounds = {{-semi_axes.x, -semi_axes.y, -semi_axes.z}, {semi_axes.x, semi_axes.y, semi_axes.z}};
   shape.semi_axes = semi_axes;
@@ -112,7 +112,7 @@ Solid cylinder(double height, double bottom_radius, double top_radius, Centering
   if (!(height > 0 && bottom_radius >= 0 && top_radius >= 0 && widest > 0)) return {};
   const Range range = extent(height, centering);
   LeafShape shape;
-  shape.kind = "cylinder";
+  shape.kind = LeafKind::cylinder;
   if (bottom_radius == top_radius) {
     // Free of z and of the height, so that cylinders that differ in these only share the surface.
     shape.forms.push_back(axial_form(1.0, 1.0, {}, {}, -square(bottom_radius)));
@@ -142,7 +142,7 @@ Solid paraboloid(double height, double radius) {
   if (!(height > 0 && radius > 0)) return {};
   const Range range = extent(height, Centering::corner);
   LeafShape shape;
-  shape.kind = "paraboloid";
+  shape.kind = LeafKind::paraboloid;
   shape.forms.push_back(axial_form(height, height, {}, -square(radius), {}));
   shape.forms.push_back(QuadricForm::plane({}, {}, 1.0, -Dyadic(height)));
   shape.bounds = box_about_axis(radius, range);
@@ -157,7 +157,7 @@ Solid hyperboloid(double height, double radius, double waist) {
   if (!(height > 0 && radius >= 0 && waist >= 0 && widest > 0)) return {};
   const Range range = extent(height, Centering::centered);
   LeafShape shape;
-  shape.kind = "hyperboloid";
+  shape.kind = LeafKind::hyperboloid;
   if (radius == waist) {
     shape.forms.push_back(axial_form(1.0, 1.0, {}, {}, -square(radius)));
   } else {

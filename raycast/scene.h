@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "csg/bounds.h"
@@ -27,11 +26,11 @@ struct HalfSpace {
 struct Leaf {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  std::string kind;  ///< the scene text's word
-  Place place;       ///< the statement that made it
+  Place place;  ///< the statement that made it
   RegionId region;
   PartId part;  ///< not valid outside every part
   LookId look;
+  LeafKind kind = LeafKind::convex;
   bool holds_nothing = false;  ///< some operator subtracts it: it is never what a medium is made of
   bool shows_cut =
       false;  ///< it counts negatively and no look is set below the subtraction: its faces show what was cut

@@ -35,7 +35,7 @@ QuadricForm plane_form(const std::string& statement, Vector normal, double dista
 
 LeafShape halfspace_shape(QuadricForm plane) {
   LeafShape shape;
-  shape.kind = "halfspace";
+  shape.kind = LeafKind::halfspace;
   shape.bounds = bounds(plane);
   shape.is_convex_polyhedron = true;
   shape.error.scales_with_axes = false;

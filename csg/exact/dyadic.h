@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <gmpxx.h>
 
@@ -47,6 +48,11 @@ class Dyadic {
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b) { return sum(a, b); }
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return sum(a, b, Sign::minus); }
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b) { return product(a, b); }
+  /// Appends the number's packed form: equal numbers have equal bytes. unpack() is its inverse and moves on to
+  /// what follows.
+  void pack(std::vector<std::byte>& bytes) const;
+  static Dyadic unpack(const std::byte*& bytes);
+
   friend bool operator==(const Dyadic& a, const Dyadic& b);
   friend std::strong_ordering operator<=>(const Dyadic& a, const Dyadic& b);
 

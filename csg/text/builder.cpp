@@ -141,7 +141,7 @@ void Builder::leave() {
   frames_.pop_back();
   Solid solid = frame.combine(std::move(frame.solids));
   // A union of one is that one, which keeps its own place.
-  if (solid.place().line == 0) solid = solid.at(place(*frame.node));
+  if (solid.place().line == 0) solid = std::move(solid).at(place(*frame.node));
   frames_.back().solids.push_back(std::move(solid));
 }
 
@@ -164,7 +164,7 @@ const Statement& Builder::statement_of(const Node& node) const {
 Solid Builder::make_solid(const Node& node, const Statement& statement, const SolidStatement& meaning) {
   Solid solid = meaning.make(call(node, statement));
   reject_children(node);
-  return solid.at(place(node));
+  return std::move(solid).at(place(node));
 }
 
 void Builder::apply(const Node& node, const Statement& statement, const SceneStatement& meaning) {

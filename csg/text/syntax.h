@@ -67,7 +67,7 @@ bool operator==(const Node& a, const Node& b);
 
 /// A whole scene text.
 struct Document {
-  std::string file;  ///< as errors name it
+  FileName file;  ///< as errors name it
   std::vector<Node> nodes;
 
   /// Equal statements; the file's name does not count.

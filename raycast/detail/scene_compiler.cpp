@@ -229,10 +229,7 @@ bool SceneCompiler::add_half_spaces(const Solid& solid, const Context& context, 
   for (std::uint32_t i = 0; i < shape.forms.size(); ++i) {
     const QuadricForm& form = shape.forms[i];
     const HalfSpace half_space = surfaces_.half_space(mover ? mover->moved(form) : form, box);
-    if (keeps_sources) {
-      if (surfaces_.size() > sources_.size()) sources_.resize(surfaces_.size());
-      sources_[half_space.surface.index()].push_back({source, i});
-    }
+    if (keeps_sources) ownerships_.push_back({half_space.surface, {source, i}});
     const auto same = std::find_if(scene_.half_spaces_.begin() + begin, scene_.half_spaces_.end(),
                                    [&](const HalfSpace& other) { return other.surface == half_space.surface; });
     if (same == scene_.half_spaces_.end()) {

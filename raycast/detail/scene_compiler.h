@@ -70,7 +70,12 @@ class SceneCompiler {
 
   Welding welding_;
   detail::Provenance provenance_;
-  std::vector<std::vector<detail::Provenance::Source>> sources_;  // of each surface; only for welding
+  // That a leaf owns a surface, in the order of the leaves; only for welding.
+  struct Ownership {
+    SurfaceId surface;
+    detail::Provenance::Source source;
+  };
+  std::vector<Ownership> ownerships_;
   Scene scene_;
   detail::SurfaceTable surfaces_;
   std::vector<Frame> frames_;
