@@ -22,6 +22,11 @@ bool round_scaled(const QuadricForm& form, RoundedCoefficients& rounded, Rounded
   bool in_range = true;
   if (all_told != nullptr) *all_told = left_over != nullptr;
   for (std::size_t i = 0; i < rounded.size(); ++i) {
+    if (form.coefficient[i].is_zero()) {
+      rounded[i] = 0;
+      if (left_over != nullptr) (*left_over)[i] = 0;
+      continue;
+    }
     const Dyadic scaled = form.coefficient[i].scaled(-scale);
     rounded[i] = scaled.nearest();
     if (left_over != nullptr) {
@@ -29,7 +34,7 @@ bool round_scaled(const QuadricForm& form, RoundedCoefficients& rounded, Rounded
       (*left_over)[i] = rest.nearest();
       if (all_told != nullptr) *all_told = *all_told && Dyadic((*left_over)[i]) == rest;
     }
-    in_range = in_range && (form.coefficient[i].is_zero() || std::isnormal(rounded[i]));
+    in_range = in_range && std::isnormal(rounded[i]);
   }
   return in_range;
 }
