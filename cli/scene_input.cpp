@@ -64,9 +64,8 @@ DocumentInput read_document(const SceneOptions& options) {
 SceneInput compile_document(DocumentInput input, const SceneOptions& options) {
   const Stopwatch build_watch;
   SceneInput result;
-  result.description = text::build(input.document, {options.facets});
   const FileName file = input.document.file;
-  input.document = {};
+  result.description = text::build(std::move(input.document), {options.facets});
   result.read_seconds = input.read_seconds + build_watch.seconds();
   if (!options.quiet) {
     for (const Warning& warning : result.description.warnings) fmt::print(stderr, "{}\n", to_string(warning));

@@ -72,7 +72,7 @@ Solid convex_from_planes(std::span<const PlaneEquation> planes) {
   LeafShape shape;
   shape.kind = LeafKind::convex;
   detail::set_forms(shape, forms);
-  shape.bounds = detail::polyhedron_bounds(shape.forms);
+  shape.bounds = detail::polyhedron_bounds(std::vector<QuadricForm>(shape.forms.begin(), shape.forms.end()));
   if (shape.bounds.is_null()) return {};
   shape.is_convex_polyhedron = true;
   return Solid::leaf(std::move(shape));

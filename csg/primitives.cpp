@@ -41,7 +41,7 @@ Range extent(double size, Centering centering) {
 }
 
 // lower <= coordinate <= upper, as two planes.
-void append_slab(std::vector<QuadricForm>& forms, std::size_t axis, const Range& range) {
+void append_slab(FormList& forms, std::size_t axis, const Range& range) {
   std::array<Dyadic, 3> n;
   n[axis] = Dyadic(-1.0);
   forms.push_back(QuadricForm::plane(n[0], n[1], n[2], range.lower));
@@ -51,6 +51,7 @@ void append_slab(std::vector<QuadricForm>& forms, std::size_t axis, const Range&
 
 std::vector<Point> corners_of(const Box& b) {
   std::vector<Point> corners;
+  corners.reserve(8);
   for (const double cz : {b.lower.z, b.upper.z}) {
     for (const double cy : {b.lower.y, b.upper.y}) {
       for (const double cx : {b.lower.x, b.upper.x}) corners.push_back({cx, cy, cz});
@@ -71,6 +72,7 @@ Solid box(Vector size, Centering centering) {
   LeafShape shape;
   shape.kind = LeafKind::cube;
   shape.is_convex_polyhedron = true;
+  shape.forms.reserve(6);
   bool exact = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Range range = extent(size[axis], centering);

@@ -22,7 +22,7 @@ Solid quadric(const std::array<double, 6>& a, Vector b, double c) {
   if (shape.bounds.is_null()) return {};
   shape.error.scales_with_axes = false;
   shape.error.errors.push_back(detail::coefficient_error(f));
-  shape.forms.push_back(std::move(f));
+  shape.forms.push_back(f);
   return Solid::leaf(std::move(shape));
 }
 

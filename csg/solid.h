@@ -11,7 +11,7 @@
 
 #include "csg/bounds.h"
 #include "csg/error.h"
-#include "csg/exact/quadric_form.h"
+#include "csg/exact/form_list.h"
 #include "csg/look.h"
 #include "csg/transform.h"
 
@@ -54,8 +54,8 @@ const char* word(LeafKind kind);
 /// What a leaf is in its own coordinates: the closed set of points where every form is <= 0.
 struct LeafShape {
   LeafKind kind = LeafKind::convex;
-  std::vector<QuadricForm> forms;  ///< none of them constant; at least one
-  Box bounds;                      ///< holds the set, rounded outward
+  FormList forms;  ///< none of them constant; at least one
+  Box bounds;      ///< holds the set, rounded outward
   bool is_convex_polyhedron = false;
   std::vector<Point>
       vertices;             ///< of a bounded polyhedron given by points (for tight bounds of moved solids); else empty

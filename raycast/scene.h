@@ -120,11 +120,12 @@ class Scene {
   WeldReport weld_report_;
 };
 
-/// The exact answer is that of the solid as it is, or of the welded one if welding is asked for.
+/// The exact answer is that of the solid as it is, or of the welded one if welding is asked for. A solid that is handed
+/// over (a temporary, or moved) is given up before the surfaces are made, so the two never take memory side by side.
 ///
 /// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has
 /// more than 2^22 leaves; Error(usage) for a part below an intersection, difference or complement, or within a part;
 /// Error(bad_value) for a tolerance out of range.
-Scene compile(const Solid& solid, const Welding& welding = {});
+Scene compile(Solid solid, const Welding& welding = {});
 
 }  // namespace csgcast

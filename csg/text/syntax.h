@@ -60,6 +60,9 @@ struct Node {
   Node& operator=(const Node& other);
   Node& operator=(Node&&) noexcept = default;
   ~Node();
+
+  /// Forgets arguments and children, and gives their memory back.
+  void give_up();
 };
 
 /// Equal content, iteratively; places do not count.

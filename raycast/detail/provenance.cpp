@@ -195,9 +195,10 @@ FormError Provenance::error(Source source, const RegionForm& form, const Region&
 FormError Provenance::shape_error(const LeafShape& shape, std::uint32_t form, const RegionForm& moved,
                                   const LocalRegion& local) const {
   RoundedCoefficients rounded{};
-  round_scaled(shape.forms[form], rounded);
+  const QuadricForm exact = shape.forms[form];
+  round_scaled(exact, rounded);
   const std::size_t largest_term = largest(rounded);
-  const double to_rounded = rounded[largest_term] / shape.forms[form].coefficient[largest_term].nearest();
+  const double to_rounded = rounded[largest_term] / exact.coefficient[largest_term].nearest();
   std::array<LinearForm, 3> q{};
   std::array<LinearForm, 3> from_center{};
   for (std::size_t k = 0; k < 3; ++k) {

@@ -16,7 +16,7 @@ namespace csgcast {
 class SceneCompiler {
  public:
   explicit SceneCompiler(const Welding& welding) : welding_(welding) {}
-  Scene compile(const Solid& solid);
+  Scene compile(Solid solid);
 
  private:
   // What the nodes above a node mean for it.
@@ -64,6 +64,7 @@ class SceneCompiler {
   void gather_regions();
   void gather_parts();
   void gather_layers();
+  void flatten(const Solid& solid);
   void weld();
   void replace_surfaces(std::span<const HalfSpace> positive_side);
   void widen_boxes();

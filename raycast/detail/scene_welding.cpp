@@ -19,7 +19,7 @@ void SceneCompiler::weld() {
   std::exclusive_scan(end.begin(), end.end(), end.begin(), std::size_t{0});
   std::vector<detail::Provenance::Source> sources(ownerships_.size());
   for (const Ownership& owned : ownerships_) sources[end[owned.surface.index()]++] = owned.source;
-  ownerships_ = {};
+  std::vector<Ownership>().swap(ownerships_);
   std::vector<detail::Welder::Candidate> candidates;
   candidates.reserve(surfaces_.size());
   for (std::uint32_t i = 0; i < surfaces_.size(); ++i) {
