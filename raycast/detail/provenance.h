@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -31,6 +32,7 @@ class Provenance {
   /// Returns the leaf's index; the leaf's place is the solid's.
   std::uint32_t add_leaf(const Solid& solid, ChainId chain, const Box& box);
 
+  std::size_t leaf_count() const { return leaves_.size(); }
   const Place& place(Source source) const { return leaves_[source.leaf].solid.place(); }
   const Box& box(Source source) const { return leaves_[source.leaf].box; }
   ChainId chain_of(Source source) const { return leaves_[source.leaf].chain; }

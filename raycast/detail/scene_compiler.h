@@ -48,6 +48,12 @@ class SceneCompiler {
     bool transmits;
   };
 
+  // What sorting the children of a wide union takes, side by side.
+  struct UnionChild {
+    NodeId node;
+    Point middle;
+  };
+
   void visit(const Solid& solid, const Context& context);
   void close();
   void deliver(NodeId node, const Context& context, std::uint32_t first_leaf);
@@ -57,6 +63,8 @@ class SceneCompiler {
   bool add_half_spaces(const Solid& solid, const Context& context, Leaf& leaf, const Box& box);
   NodeId add_node(Node::Op op, std::span<const NodeId> children);
   NodeId add_union(std::vector<NodeId> children);
+  NodeId add_hierarchy(std::span<UnionChild> children);
+  static std::size_t longest_axis(std::span<const UnionChild> children);
   NodeId add_subtract(std::span<const NodeId> children);
   Box box_of(Node::Op op, std::span<const NodeId> children) const;
   LookId look_id(const LookContext& looks);

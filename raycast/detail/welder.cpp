@@ -125,17 +125,19 @@ Grouping::Groups Welder::groups_by_rounding() {
 // Leaves with the surfaces that are left; `one_source` gets a source of each leaf, for its place.
 std::vector<LeafFaces> Welder::faces(std::span<const Replacement> replacements,
                                      std::vector<Provenance::Source>& one_source) const {
-  std::map<std::uint32_t, std::uint32_t> place_of;
+  constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<std::uint32_t> place_of(provenance_.leaf_count(), none);
   std::vector<LeafFaces> leaves;
   for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
     for (const Provenance::Source source : candidates_[i].sources) {
-      const auto [it, is_new] = place_of.try_emplace(source.leaf, static_cast<std::uint32_t>(leaves.size()));
-      if (is_new) {
+      std::uint32_t& place = place_of[source.leaf];
+      if (place == none) {
+        place = static_cast<std::uint32_t>(leaves.size());
         const Box box = intersection(provenance_.box(source), everything_);
         leaves.push_back({box.is_finite() ? box : everything_, {}});
         one_source.push_back(source);
       }
-      std::vector<std::uint32_t>& surfaces = leaves[it->second].surfaces;
+      std::vector<std::uint32_t>& surfaces = leaves[place].surfaces;
       const std::uint32_t now = replacements[i].surface;
       if (std::find(surfaces.begin(), surfaces.end(), now) == surfaces.end()) surfaces.push_back(now);
     }
