@@ -35,19 +35,22 @@ std::int64_t last_place(std::int64_t bits, std::int64_t exponent) {
   return std::max<std::int64_t>(bits + exponent - 53, -1074);
 }
 
+// A mantissa of 128 bits or more: always more than a double has, and since it is odd something is cut off that is not
+// half a unit.
 Truncated truncate(const mpz_class& mantissa, std::int64_t exponent) {
-  const auto bits = static_cast<std::int64_t>(mpz_sizeinbase(mantissa.get_mpz_t(), 2));
+  constexpr std::int64_t limb_bits = 64;
+  const mpz_srcptr m = mantissa.get_mpz_t();
+  const auto bits = static_cast<std::int64_t>(mpz_sizeinbase(m, 2));
   if (bits + exponent > 1024) return beyond_doubles;
-  // A mantissa of 128 bits or more: always more than a double has.
   const std::int64_t unit = last_place(bits, exponent);
   const std::int64_t cut = unit - exponent;
   if (cut > bits) return {0.0, false, false, false};
-  const auto shift = static_cast<mp_bitcnt_t>(cut);
-  const mpz_class all = abs(mantissa);
-  const mpz_class kept = all >> shift;
-  const bool half = mpz_tstbit(all.get_mpz_t(), shift - 1) != 0;
-  const bool rest = mpz_scan1(all.get_mpz_t(), 0) < shift - 1;
-  return {scaled_double(kept.get_ui(), unit), !half && !rest, half, half && !rest};
+  const auto limb = [m](std::int64_t i) { return mpz_getlimbn(m, static_cast<mp_size_t>(i)); };  // 0 past the last
+  const std::int64_t low = cut / limb_bits, offset = cut % limb_bits;
+  const std::uint64_t kept =
+      limb(low) >> offset | (offset != 0 ? limb(low + 1) << (limb_bits - offset) : std::uint64_t{0});
+  const bool half = (limb((cut - 1) / limb_bits) >> ((cut - 1) % limb_bits) & 1) != 0;
+  return {scaled_double(kept, unit), false, half, false};
 }
 
 __extension__ using Bits = unsigned __int128;
@@ -153,27 +156,11 @@ mpz_class Dyadic::mantissa() const {
   return result;
 }
 
-Dyadic Dyadic::scaled(std::int64_t shift) const {
-  Dyadic result = *this;
-  if (!is_zero()) result.exponent_ += shift;
-  return result;
-}
-
 std::size_t Dyadic::hash() const {
   const auto low = large_ ? static_cast<std::uint64_t>(mpz_getlimbn(large_->get_mpz_t(), 0))
                           : static_cast<std::uint64_t>(absolute(small_));
   return (low ^ static_cast<std::uint64_t>(sign()) ^ (static_cast<std::uint64_t>(exponent_) << 40)) *
          0x9e3779b97f4a7c15u;
-}
-
-Dyadic Dyadic::operator-() const {
-  Dyadic result = *this;
-  if (large_) {
-    mpz_neg(result.large_->get_mpz_t(), result.large_->get_mpz_t());
-  } else {
-    result.small_ = -small_;
-  }
-  return result;
 }
 
 Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b) {
@@ -254,10 +241,11 @@ Dyadic exact_quotient(const Dyadic& a, const Dyadic& b) {
   return {quotient, a.exponent_ - b.exponent_};
 }
 
-double Dyadic::nearest() const {
+double Dyadic::nearest(std::int64_t shift) const {
   if (is_zero()) return 0;
+  const std::int64_t exponent = exponent_ + shift;
   const Truncated cut =
-      large_ ? truncate(*large_, exponent_) : truncate(absolute(small_), static_cast<std::int64_t>(bits()), exponent_);
+      large_ ? truncate(*large_, exponent) : truncate(absolute(small_), static_cast<std::int64_t>(bits()), exponent);
   double magnitude = cut.magnitude;
   if (cut.at_least_half && (!cut.exactly_half || is_odd_in_last_place(magnitude))) {
     magnitude = std::nextafter(magnitude, infinity);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <gmpxx.h>
@@ -45,10 +46,19 @@ class Dyadic {
   /// The least k with |value| < 2^k; meaningless for zero.
   std::int64_t magnitude() const { return static_cast<std::int64_t>(bits()) + exponent_; }
   /// value * 2^shift.
-  Dyadic scaled(std::int64_t shift) const;
+  Dyadic scaled(std::int64_t shift) const& { return Dyadic(*this).scaled(shift); }
+  Dyadic scaled(std::int64_t shift) && {
+    if (!is_zero()) exponent_ += shift;
+    return std::move(*this);
+  }
   std::size_t hash() const;
 
-  Dyadic operator-() const;
+  Dyadic operator-() const& { return -Dyadic(*this); }
+  Dyadic operator-() && {
+    if (large_) mpz_neg(large_->get_mpz_t(), large_->get_mpz_t());
+    small_ = -small_;
+    return std::move(*this);
+  }
   Dyadic& operator+=(const Dyadic& other) { return other.is_zero() ? *this : *this = *this + other; }
   Dyadic& operator-=(const Dyadic& other) { return other.is_zero() ? *this : *this = *this - other; }
   Dyadic& operator*=(const Dyadic& other) { return *this = *this * other; }
@@ -75,8 +85,8 @@ class Dyadic {
   /// a / b. Precondition: b's mantissa divides a's.
   friend Dyadic exact_quotient(const Dyadic& a, const Dyadic& b);
 
-  /// The nearest double, ties to even; overflows to infinity, gradual underflow.
-  double nearest() const;
+  /// The nearest double to value * 2^shift, ties to even; overflows to infinity, gradual underflow.
+  double nearest(std::int64_t shift = 0) const;
   /// The largest double <= value (-infinity possible).
   double rounded_down() const;
   /// The least double >= value (+infinity possible).

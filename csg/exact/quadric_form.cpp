@@ -120,7 +120,8 @@ CanonicalForm canonical(QuadricForm f) {
   for (Dyadic& c : result.form.coefficient) {
     if (c.is_zero()) continue;
     if (divisor != one) c = exact_quotient(c, divisor);
-    c = (result.flipped ? -c : c).scaled(-least);
+    c = std::move(c).scaled(-least);
+    if (result.flipped) c = -std::move(c);
   }
   return result;
 }

@@ -27,12 +27,11 @@ bool round_scaled(const QuadricForm& form, RoundedCoefficients& rounded, Rounded
       if (left_over != nullptr) (*left_over)[i] = 0;
       continue;
     }
-    const Dyadic scaled = form.coefficient[i].scaled(-scale);
-    rounded[i] = scaled.nearest();
+    rounded[i] = form.coefficient[i].nearest(-scale);
     if (left_over != nullptr) {
-      const Dyadic rest = scaled - Dyadic(rounded[i]);
-      (*left_over)[i] = rest.nearest();
-      if (all_told != nullptr) *all_told = *all_told && Dyadic((*left_over)[i]) == rest;
+      const Dyadic rest = form.coefficient[i] - Dyadic(rounded[i]).scaled(scale);
+      (*left_over)[i] = rest.nearest(-scale);
+      if (all_told != nullptr) *all_told = *all_told && Dyadic((*left_over)[i]).scaled(scale) == rest;
     }
     in_range = in_range && std::isnormal(rounded[i]);
   }
