@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/distinct_files.h"
@@ -21,9 +22,9 @@ struct InfoOptions {
 
 /// All that the two formats tell.
 struct Info {
-  const text::Document& document;
+  const FileName& file;
+  const StatementSummary& statements;
   const SceneInput& input;
-  StatementSummary statements = summarise_statements(document);
   SurfaceSummary surfaces = summarise_surfaces(input.scene);
   LeafSummary leaves = summarise_leaves(input.scene);
 };
@@ -110,7 +111,7 @@ std::string as_text(const Info& info) {
   const Scene& scene = info.input.scene;
   const SceneDescription& description = info.input.description;
   std::string out;
-  append_row(out, "file", printable(info.document.file));
+  append_row(out, "file", printable(info.file.string()));
   append_row(out, "statements", fmt::format("{}: {}", info.statements.total, list(info.statements.by_name)));
   append_row(out, "depth", fmt::format("{}", info.statements.depth));
   append_row(out, "leaves", fmt::format("{}: {}", scene.leaves().size(), list(info.leaves.by_kind)));
@@ -221,7 +222,7 @@ std::string as_json(const Info& info) {
   const Scene& scene = info.input.scene;
   std::string out;
   Json json(out);
-  json.begin_object().member("file", info.document.file);
+  json.begin_object().member("file", info.file.string());
   json.member("statements", info.statements.total).member("depth", info.statements.depth);
   json_tally(json, "statements_by_name", info.statements.by_name);
   json.member("leaves", std::uint64_t(scene.leaves().size()));
@@ -245,9 +246,11 @@ void run(const InfoOptions& options) {
   Output output(options.output);
   SceneOptions scene_options = options.scene;
   scene_options.welding.lists_near_misses = scene_options.welding.mode != Welding::Mode::off;
-  const DocumentInput document = read_document(scene_options);
-  const SceneInput input = compile_document(document, scene_options);
-  const Info info{document.document, input};
+  DocumentInput document = read_document(scene_options);
+  const FileName file = document.document.file;
+  const StatementSummary statements = summarise_statements(document.document);
+  const SceneInput input = compile_document(std::move(document), scene_options);
+  const Info info{file, statements, input};
   output.write(options.format == Format::json ? as_json(info) : as_text(info));
   output.commit();
 }

@@ -143,7 +143,7 @@ void IntervalReport::append_table(std::string& out, std::uint64_t index, const R
                {"exit_solid", left},
                {"part", left}});
   const auto solid = [&](const std::optional<Attribution>& face) {
-    return face ? scene_.leaf(face->leaf).kind + ' ' + solid_place(face) : "-";
+    return face ? fmt::format("{} {}", word(scene_.leaf(face->leaf).kind), solid_place(face)) : "-";
   };
   for (const FacedInterval& faced : intervals) {
     const auto [entry, exit] = faced.interval;

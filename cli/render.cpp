@@ -110,8 +110,9 @@ void render_picture(const RenderCommandOptions& options, Job& job, const SceneIn
   write_picture(film, options.output);
   if (options.stats.empty()) return;
   Output stats(options.stats);
-  stats.write(render_stats(job.render, report,
-                           {input.read_seconds, input.compile_seconds, report.cells_seconds, report.seconds, write_watch.seconds()}));
+  stats.write(render_stats(
+      job.render, report,
+      {input.read_seconds, input.compile_seconds, report.cells_seconds, report.seconds, write_watch.seconds()}));
   stats.commit();
 }
 

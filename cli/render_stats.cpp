@@ -16,7 +16,9 @@ std::string render_stats(const RenderOptions& options, const RenderReport& repor
   json.member("total_reflections", report.total_reflections);
   json.key("packets").begin_object().member("rays", report.packets.rays).member("packets", report.packets.packets);
   json.member("nodes", report.packets.nodes).member("cells", report.packets.cells);
-  json.member("surface_tests", report.packets.surface_tests).member("left_to_caster", report.packets.flagged).end_object();
+  json.member("surface_tests", report.packets.surface_tests)
+      .member("left_to_caster", report.packets.flagged)
+      .end_object();
   json.member("surface_tests", report.casts.surface_tests).member("box_tests", report.casts.box_tests);
   json.member("leaf_tests", report.casts.leaf_tests).member("twofold_calls", report.casts.twofold_calls);
   json.member("exact_calls", report.casts.exact_calls).member("rays_flagged", report.casts.rays_flagged);
@@ -28,7 +30,11 @@ std::string render_stats(const RenderOptions& options, const RenderReport& repor
   json.member("transmission_below_cutoff", report.skipped.transmission_below_cutoff);
   json.member("depth_limit", report.skipped.depth_limit).end_object();
   json.key("seconds").begin_object().member("read", seconds.read).member("compile", seconds.compile);
-  json.member("cells", seconds.cells).member("trace", seconds.trace).member("trace_cpu", report.cpu_seconds).member("write", seconds.write).end_object();
+  json.member("cells", seconds.cells)
+      .member("trace", seconds.trace)
+      .member("trace_cpu", report.cpu_seconds)
+      .member("write", seconds.write)
+      .end_object();
   json.end_object();
   return out + '\n';
 }

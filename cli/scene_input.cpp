@@ -5,6 +5,7 @@
 #include <tbb/info.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "cli/options.h"
 #include "cli/stopwatch.h"
@@ -60,20 +61,21 @@ DocumentInput read_document(const SceneOptions& options) {
   return input;
 }
 
-SceneInput compile_document(const DocumentInput& input, const SceneOptions& options) {
+SceneInput compile_document(DocumentInput input, const SceneOptions& options) {
   const Stopwatch build_watch;
   SceneInput result;
-  result.description = text::build(input.document, {options.facets});
+  const FileName file = input.document.file;
+  result.description = text::build(std::move(input.document), {options.facets});
   result.read_seconds = input.read_seconds + build_watch.seconds();
   if (!options.quiet) {
     for (const Warning& warning : result.description.warnings) fmt::print(stderr, "{}\n", to_string(warning));
   }
   const Stopwatch compile_watch;
-  result.scene = compile(result.description.solid, options.welding);
+  result.scene = compile(std::exchange(result.description.solid, {}), options.welding);
   result.compile_seconds = compile_watch.seconds();
   const auto warn = [&](const char* text) {
     Warning warning;
-    warning.place.file = input.document.file;
+    warning.place.file = file;
     warning.text = text;
     result.description.warnings.push_back(warning);
     if (!options.quiet) fmt::print(stderr, "{}\n", to_string(warning));

@@ -34,7 +34,7 @@ int thread_count(const SceneOptions& options);
 
 /// A scene ready to be asked, and how long that took.
 struct SceneInput {
-  SceneDescription description;
+  SceneDescription description;  ///< but for the solid, which became the scene
   Scene scene;
   double read_seconds = 0;  ///< reading the text and building solids from it
   double compile_seconds = 0;
@@ -49,8 +49,9 @@ struct DocumentInput {
 DocumentInput read_document(const SceneOptions& options);
 
 /// Builds and compiles a document, and prints the warnings, and one if it is empty, to standard error unless it shall
-/// be quiet.
-SceneInput compile_document(const DocumentInput& input, const SceneOptions& options);
+/// be quiet. Of a large scene the text, the solids and the surfaces each take much memory: what was made of a thing
+/// takes its place.
+SceneInput compile_document(DocumentInput input, const SceneOptions& options);
 
 /// Both at once.
 SceneInput read_scene(const SceneOptions& options);

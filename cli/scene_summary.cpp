@@ -43,7 +43,7 @@ LeafSummary summarise_leaves(const Scene& scene) {
   LeafSummary summary;
   summary.by_part.resize(scene.parts().size());
   for (const Leaf& leaf : scene.leaves()) {
-    ++summary.by_kind[leaf.kind];
+    ++summary.by_kind[word(leaf.kind)];
     if (leaf.part.valid()) ++summary.by_part[leaf.part.index()];
   }
   return summary;

@@ -70,9 +70,9 @@ Solid convex_from_planes(std::span<const PlaneEquation> planes) {
   }
   if (forms.empty()) return Solid::everything();
   LeafShape shape;
-  shape.kind = "convex";
+  shape.kind = LeafKind::convex;
   detail::set_forms(shape, forms);
-  shape.bounds = detail::polyhedron_bounds(shape.forms);
+  shape.bounds = detail::polyhedron_bounds(std::vector<QuadricForm>(shape.forms.begin(), shape.forms.end()));
   if (shape.bounds.is_null()) return {};
   shape.is_convex_polyhedron = true;
   return Solid::leaf(std::move(shape));
@@ -83,7 +83,7 @@ Solid convex_from_points(std::span<const Point> points) {
   const std::vector<HullTriangle> triangles = convex_hull(points);
   if (triangles.empty()) return {};
   LeafShape shape;
-  shape.kind = "convex";
+  shape.kind = LeafKind::convex;
   shape.vertices = corners_used(points, triangles);
   shape.bounds = box_of(shape.vertices);
   shape.error.center = shape.bounds.center();

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace csgcast {
 namespace {
 
@@ -20,9 +22,17 @@ std::string message(const Place& place, const std::string& problem, const std::s
 
 }  // namespace
 
+FileName::FileName(std::string name)
+    : name_(name.empty() ? nullptr : std::make_shared<const std::string>(std::move(name))) {}
+
+const std::string& FileName::string() const {
+  static const std::string none;
+  return name_ ? *name_ : none;
+}
+
 std::string to_string(const Place& place) {
-  if (place.line == 0) return place.file;
-  return fmt::format("{}:{}:{}", place.file.empty() ? "<scene>" : place.file, place.line, place.column);
+  if (place.line == 0) return place.file.string();
+  return fmt::format("{}:{}:{}", place.file.empty() ? "<scene>" : place.file.string(), place.line, place.column);
 }
 
 Error::Error(ErrorCode code, Place place, const std::string& problem, const std::string& why, const std::string& remedy)

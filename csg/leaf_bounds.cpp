@@ -90,16 +90,29 @@ void set_row(Box& box, std::size_t row, const Dyadic& center, const Dyadic& reac
   box.upper[row] = (center + reach).rounded_up();
 }
 
+// The length of a vector, rounded up; that along an axis needs no root.
+Dyadic length(std::span<const Dyadic> vector) {
+  const Dyadic* only = nullptr;
+  std::size_t terms = 0;
+  for (const Dyadic& c : vector) {
+    if (c.is_zero()) continue;
+    only = &c;
+    ++terms;
+  }
+  if (terms == 0) return {};
+  if (terms == 1) return only->sign() < 0 ? -*only : *only;
+  Dyadic square;
+  for (const Dyadic& c : vector) square += c * c;
+  return detail::square_root(square, detail::Toward::up);
+}
+
 // The extent of a moved ellipsoid along an axis is the length of that row of the map, times the semi-axes.
 Box image_of_ellipsoid(Vector semi_axes, const ExactAffine& m) {
   Box box;
   for (std::size_t row = 0; row < 3; ++row) {
-    Dyadic square;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Dyadic term = m.linear(row, i) * Dyadic(semi_axes[i]);
-      square += term * term;
-    }
-    set_row(box, row, m.offset(row), detail::square_root(square, detail::Toward::up));
+    std::array<Dyadic, 3> reach;
+    for (std::size_t i = 0; i < 3; ++i) reach[i] = m.linear(row, i) * Dyadic(semi_axes[i]);
+    set_row(box, row, m.offset(row), length(reach));
   }
   return box;
 }
@@ -107,8 +120,7 @@ Box image_of_ellipsoid(Vector semi_axes, const ExactAffine& m) {
 Box image_of_disc(const Disc& disc, const ExactAffine& m) {
   Box box;
   for (std::size_t row = 0; row < 3; ++row) {
-    const Dyadic square = m.linear(row, 0) * m.linear(row, 0) + m.linear(row, 1) * m.linear(row, 1);
-    const Dyadic reach = Dyadic(disc.radius) * detail::square_root(square, detail::Toward::up);
+    const Dyadic reach = Dyadic(disc.radius) * length(std::array{m.linear(row, 0), m.linear(row, 1)});
     set_row(box, row, m.offset(row) + m.linear(row, 2) * Dyadic(disc.z), reach);
   }
   return box;
@@ -145,7 +157,8 @@ Box image(const Box& box, const ExactAffine& world_from_solid) {
 }
 
 Box world_bounds(const LeafShape& shape, const ExactAffine& world_from_solid) {
-  if (world_from_solid == ExactAffine()) return shape.bounds;
+  static const ExactAffine identity;
+  if (world_from_solid == identity) return shape.bounds;
   if (!shape.vertices.empty()) return image_of_points(shape.vertices, world_from_solid);
   if (shape.semi_axes) return image_of_ellipsoid(*shape.semi_axes, world_from_solid);
   if (!shape.discs.empty()) return image_of_discs(shape.discs, world_from_solid);

@@ -41,7 +41,7 @@ Range extent(double size, Centering centering) {
 }
 
 // lower <= coordinate <= upper, as two planes.
-void append_slab(std::vector<QuadricForm>& forms, std::size_t axis, const Range& range) {
+void append_slab(FormList& forms, std::size_t axis, const Range& range) {
   std::array<Dyadic, 3> n;
   n[axis] = Dyadic(-1.0);
   forms.push_back(QuadricForm::plane(n[0], n[1], n[2], range.lower));
@@ -51,6 +51,7 @@ void append_slab(std::vector<QuadricForm>& forms, std::size_t axis, const Range&
 
 std::vector<Point> corners_of(const Box& b) {
   std::vector<Point> corners;
+  corners.reserve(8);
   for (const double cz : {b.lower.z, b.upper.z}) {
     for (const double cy : {b.lower.y, b.upper.y}) {
       for (const double cx : {b.lower.x, b.upper.x}) corners.push_back({cx, cy, cz});
@@ -69,8 +70,9 @@ Solid box(Vector size, Centering centering) {
   require_finite("cube", {size.x, size.y, size.z});
   if (!(size.x > 0 && size.y > 0 && size.z > 0)) return {};
   LeafShape shape;
-  shape.kind = "cube";
+  shape.kind = LeafKind::cube;
   shape.is_convex_polyhedron = true;
+  shape.forms.reserve(6);
   bool exact = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Range range = extent(size[axis], centering);
@@ -87,7 +89,7 @@ Solid sphere(double radius) {
   require_finite("sphere", {radius});
   if (!(radius > 0)) return {};
   LeafShape shape;
-  shape.kind = "sphere";
+  shape.kind = LeafKind::sphere;
   shape.forms.push_back(axial_form(1.0, 1.0, 1.0, {}, -square(radius)));
   shape.bounds = {{-radius, -radius, -radius}, {radius, radius, radius}};
   shape.semi_axes = Vector{radius, radius, radius};
@@ -99,7 +101,7 @@ Solid ellipsoid(Vector semi_axes) {
   if (!(semi_axes.x > 0 && semi_axes.y > 0 && semi_axes.z > 0)) return {};
   const Dyadic a2 = square(semi_axes.x), b2 = square(semi_axes.y), c2 = square(semi_axes.z);
   LeafShape shape;
-  shape.kind = "ellipsoid";
+  shape.kind = LeafKind::ellipsoid;
   shape.forms.push_back(axial_form(b2 * c2, a2 * c2, a2 * b2, {}, -(a2 * b2 * c2)));
   shape.bounds = {{-semi_axes.x, -semi_axes.y, -semi_axes.z}, {semi_axes.x, semi_axes.y, semi_axes.z}};
   shape.semi_axes = semi_axes;
@@ -112,7 +114,7 @@ Solid cylinder(double height, double bottom_radius, double top_radius, Centering
   if (!(height > 0 && bottom_radius >= 0 && top_radius >= 0 && widest > 0)) return {};
   const Range range = extent(height, centering);
   LeafShape shape;
-  shape.kind = "cylinder";
+  shape.kind = LeafKind::cylinder;
   if (bottom_radius == top_radius) {
     // Free of z and of the height, so that cylinders that differ in these only share the surface.
     shape.forms.push_back(axial_form(1.0, 1.0, {}, {}, -square(bottom_radius)));
@@ -142,7 +144,7 @@ Solid paraboloid(double height, double radius) {
   if (!(height > 0 && radius > 0)) return {};
   const Range range = extent(height, Centering::corner);
   LeafShape shape;
-  shape.kind = "paraboloid";
+  shape.kind = LeafKind::paraboloid;
   shape.forms.push_back(axial_form(height, height, {}, -square(radius), {}));
   shape.forms.push_back(QuadricForm::plane({}, {}, 1.0, -Dyadic(height)));
   shape.bounds = box_about_axis(radius, range);
@@ -157,7 +159,7 @@ Solid hyperboloid(double height, double radius, double waist) {
   if (!(height > 0 && radius >= 0 && waist >= 0 && widest > 0)) return {};
   const Range range = extent(height, Centering::centered);
   LeafShape shape;
-  shape.kind = "hyperboloid";
+  shape.kind = LeafKind::hyperboloid;
   if (radius == waist) {
     shape.forms.push_back(axial_form(1.0, 1.0, {}, {}, -square(radius)));
   } else {

@@ -17,12 +17,12 @@ Solid quadric(const std::array<double, 6>& a, Vector b, double c) {
   if (f.is_constant()) return c <= 0 ? Solid::everything() : Solid();
   if (f.is_plane()) return Solid::leaf(detail::halfspace_shape(std::move(f)));
   LeafShape shape;
-  shape.kind = "quadric";
+  shape.kind = LeafKind::quadric;
   shape.bounds = detail::bounds(f);
   if (shape.bounds.is_null()) return {};
   shape.error.scales_with_axes = false;
   shape.error.errors.push_back(detail::coefficient_error(f));
-  shape.forms.push_back(std::move(f));
+  shape.forms.push_back(f);
   return Solid::leaf(std::move(shape));
 }
 

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "csg/solid.h"
 
+#include <array>
 #include <cassert>
 #include <utility>
-#include <variant>
 
 namespace csgcast {
 
+const char* word(LeafKind kind) {
+  static constexpr std::array words{"cube",        "sphere",  "cylinder",  "ellipsoid", "paraboloid",
+                                    "hyperboloid", "quadric", "halfspace", "convex"};
+  return words[static_cast<std::size_t>(kind)];
+}
+
 struct Solid::Node {
   Kind kind = Kind::empty;
-  std::vector<Solid> children;
-  std::variant<std::monostate, LeafShape, Transform, PartName, LookStatement> payload;
   Place place;
+  std::vector<Solid> children;
 
   Node() = default;
   Node(Kind k, std::vector<Solid> c) : kind(k), children(std::move(c)) {}
-  Node(const Node&) = default;
-  Node(Node&&) noexcept = default;
+  Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
+  Node(Node&&) = delete;
   Node& operator=(Node&&) = delete;
 
   // Takes the tree apart with a list of its own: a chain of a million nodes must not recurse. No node is made const
@@ -36,6 +41,14 @@ struct Solid::Node {
   }
 };
 
+// A node of a kind that has more to say; that kind alone pays for it.
+template <class Payload>
+struct Solid::NodeWith : Node {
+  Payload payload;
+
+  NodeWith(Kind k, std::vector<Solid> c, Payload p) : Node(k, std::move(c)), payload(std::move(p)) {}
+};
+
 Solid::Solid() {
   static const auto nothing = std::make_shared<const Node>();
   node_ = nothing;
@@ -43,76 +56,91 @@ Solid::Solid() {
 
 Solid::Solid(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
 
-Solid Solid::make(Node node) { return Solid(std::make_shared<Node>(std::move(node))); }
+Solid Solid::make(Kind kind, std::vector<Solid> children) {
+  return Solid(std::make_shared<Node>(kind, std::move(children)));
+}
 
-Solid Solid::everything() { return make(Node(Kind::everything, {})); }
+template <class Payload>
+Solid Solid::make(Kind kind, std::vector<Solid> children, Payload payload) {
+  return Solid(std::make_shared<NodeWith<Payload>>(kind, std::move(children), std::move(payload)));
+}
+
+template <class Payload>
+const Payload& Solid::payload() const {
+  return static_cast<const NodeWith<Payload>&>(*node_).payload;
+}
+
+Solid Solid::everything() { return make(Kind::everything, {}); }
 
 Solid Solid::leaf(LeafShape shape) {
   assert(!shape.forms.empty());
-  Node node(Kind::leaf, {});
-  node.payload = std::move(shape);
-  return make(std::move(node));
+  return make(Kind::leaf, {}, std::move(shape));
 }
 
 Solid::Kind Solid::kind() const { return node_->kind; }
 std::span<const Solid> Solid::children() const { return node_->children; }
-const LeafShape& Solid::shape() const { return std::get<LeafShape>(node_->payload); }
-const Transform& Solid::transform() const { return std::get<Transform>(node_->payload); }
-const PartName& Solid::part() const { return std::get<PartName>(node_->payload); }
-const LookStatement& Solid::look() const { return std::get<LookStatement>(node_->payload); }
+const LeafShape& Solid::shape() const { return payload<LeafShape>(); }
+const Transform& Solid::transform() const { return payload<Transform>(); }
+const PartName& Solid::part() const { return payload<PartName>(); }
+const LookStatement& Solid::look() const { return payload<LookStatement>(); }
 const Place& Solid::place() const { return node_->place; }
 const void* Solid::identity() const { return node_.get(); }
 
-Solid Solid::at(Place place) const {
-  Node copy = *node_;
-  copy.place = std::move(place);
-  return make(std::move(copy));
+Solid Solid::copy() const {
+  std::vector<Solid> children = node_->children;
+  switch (kind()) {
+    case Kind::leaf:
+      return make(kind(), {}, shape());
+    case Kind::transform:
+      return make(kind(), std::move(children), transform());
+    case Kind::part:
+      return make(kind(), std::move(children), part());
+    case Kind::look:
+      return make(kind(), std::move(children), look());
+    default:
+      return make(kind(), std::move(children));
+  }
+}
+
+Solid Solid::at(Place place) const& { return Solid(*this).at(std::move(place)); }
+
+Solid Solid::at(Place place) && {
+  // The only owner may change the node; what others see stays as it is.
+  Solid result = node_.use_count() == 1 ? std::move(*this) : copy();
+  const_cast<Node&>(*result.node_).place = std::move(place);
+  return result;
 }
 
 Solid unite(std::vector<Solid> children) {
   if (children.empty()) return {};
   if (children.size() == 1) return std::move(children.front());
-  return Solid::make(Solid::Node(Solid::Kind::unite, std::move(children)));
+  return Solid::make(Solid::Kind::unite, std::move(children));
 }
 
 Solid intersect(std::vector<Solid> children) {
   if (children.empty()) return {};
   if (children.size() == 1) return std::move(children.front());
-  return Solid::make(Solid::Node(Solid::Kind::intersect, std::move(children)));
+  return Solid::make(Solid::Kind::intersect, std::move(children));
 }
 
 Solid subtract(std::vector<Solid> children) {
   if (children.empty()) return {};
   if (children.size() == 1) return std::move(children.front());
-  return Solid::make(Solid::Node(Solid::Kind::subtract, std::move(children)));
+  return Solid::make(Solid::Kind::subtract, std::move(children));
 }
 
-Solid complement(Solid solid) {
-  std::vector<Solid> child{std::move(solid)};
-  return Solid::make(Solid::Node(Solid::Kind::complement, std::move(child)));
-}
+Solid complement(Solid solid) { return Solid::make(Solid::Kind::complement, {std::move(solid)}); }
 
 Solid transformed(Solid solid, const Transform& world_from_solid) {
   assert(world_from_solid.is_finite());
   if (ExactAffine(world_from_solid).is_singular()) return {};
-  std::vector<Solid> child{std::move(solid)};
-  Solid::Node node(Solid::Kind::transform, std::move(child));
-  node.payload = world_from_solid;
-  return Solid::make(std::move(node));
+  return Solid::make(Solid::Kind::transform, {std::move(solid)}, world_from_solid);
 }
 
-Solid named(Solid solid, PartName name) {
-  std::vector<Solid> child{std::move(solid)};
-  Solid::Node node(Solid::Kind::part, std::move(child));
-  node.payload = std::move(name);
-  return Solid::make(std::move(node));
-}
+Solid named(Solid solid, PartName name) { return Solid::make(Solid::Kind::part, {std::move(solid)}, std::move(name)); }
 
 Solid with_look(Solid solid, LookStatement look) {
-  std::vector<Solid> child{std::move(solid)};
-  Solid::Node node(Solid::Kind::look, std::move(child));
-  node.payload = std::move(look);
-  return Solid::make(std::move(node));
+  return Solid::make(Solid::Kind::look, {std::move(solid)}, std::move(look));
 }
 
 }  // namespace csgcast

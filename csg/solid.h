@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,7 +11,7 @@
 
 #include "csg/bounds.h"
 #include "csg/error.h"
-#include "csg/exact/quadric_form.h"
+#include "csg/exact/form_list.h"
 #include "csg/look.h"
 #include "csg/transform.h"
 
@@ -34,11 +35,27 @@ struct ShapeError {
   Point center;
 };
 
+/// The scene text's words for leaves.
+enum class LeafKind : std::uint8_t {
+  cube,
+  sphere,
+  cylinder,
+  ellipsoid,
+  paraboloid,
+  hyperboloid,
+  quadric,
+  halfspace,
+  convex,
+};
+
+/// As it stands in a scene text: "cube".
+const char* word(LeafKind kind);
+
 /// What a leaf is in its own coordinates: the closed set of points where every form is <= 0.
 struct LeafShape {
-  std::string kind;                ///< the scene text's word for it: "cube", "sphere", ...
-  std::vector<QuadricForm> forms;  ///< none of them constant; at least one
-  Box bounds;                      ///< holds the set, rounded outward
+  LeafKind kind = LeafKind::convex;
+  FormList forms;  ///< none of them constant; at least one
+  Box bounds;      ///< holds the set, rounded outward
   bool is_convex_polyhedron = false;
   std::vector<Point>
       vertices;             ///< of a bounded polyhedron given by points (for tight bounds of moved solids); else empty
@@ -58,7 +75,18 @@ struct PartName {
 /// Trees may be a million deep: nothing here recurses, destructors included.
 class Solid {
  public:
-  enum class Kind { empty, everything, leaf, unite, intersect, subtract, complement, transform, part, look };
+  enum class Kind : std::uint8_t {
+    empty,
+    everything,
+    leaf,
+    unite,
+    intersect,
+    subtract,
+    complement,
+    transform,
+    part,
+    look
+  };
 
   Solid();  ///< the empty solid
 
@@ -76,7 +104,8 @@ class Solid {
   /// Where the statement that made this node stands; line 0 if it was made in code.
   const Place& place() const;
   /// The same solid with another place.
-  Solid at(Place place) const;
+  Solid at(Place place) const&;
+  Solid at(Place place) &&;
   /// Nodes with equal identity are one shared node.
   const void* identity() const;
 
@@ -90,8 +119,15 @@ class Solid {
 
  private:
   struct Node;
+  template <class Payload>
+  struct NodeWith;
   explicit Solid(std::shared_ptr<const Node> node);
-  static Solid make(Node node);
+  static Solid make(Kind kind, std::vector<Solid> children);
+  template <class Payload>
+  static Solid make(Kind kind, std::vector<Solid> children, Payload payload);
+  template <class Payload>
+  const Payload& payload() const;
+  Solid copy() const;
 
   std::shared_ptr<const Node> node_;
 };

@@ -26,11 +26,11 @@ class Cells {
   NodeId node() const { return node_; }
 
   struct Counts {
-    std::size_t nodes = 0;       ///< of the kd-tree, ends included
-    std::size_t cells = 0;       ///< that some surface crosses
-    std::size_t surfaces = 0;    ///< summed over these cells
-    std::size_t large = 0;       ///< cells with more surfaces than a table of truth values takes
-    std::size_t undecided = 0;   ///< cells through which every ray is left to the caster
+    std::size_t nodes = 0;      ///< of the kd-tree, ends included
+    std::size_t cells = 0;      ///< that some surface crosses
+    std::size_t surfaces = 0;   ///< summed over these cells
+    std::size_t large = 0;      ///< cells with more surfaces than a table of truth values takes
+    std::size_t undecided = 0;  ///< cells through which every ray is left to the caster
     std::size_t bytes = 0;
   };
   Counts counts() const;

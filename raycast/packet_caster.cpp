@@ -18,8 +18,8 @@ constexpr std::size_t rays_at_once = 256;
 const detail::LaneCode& code_named(std::string_view instructions) {
   const auto codes = detail::lane_codes();
   if (instructions.empty()) return codes.front();
-  const auto named = std::find_if(codes.begin(), codes.end(),
-                                  [&](const detail::LaneCode& code) { return code.name == instructions; });
+  const auto named =
+      std::find_if(codes.begin(), codes.end(), [&](const detail::LaneCode& code) { return code.name == instructions; });
   if (named != codes.end()) return *named;
   throw Error(ErrorCode::usage, {}, "no instruction set is called " + std::string(instructions),
               "this machine has others", "ask PacketCaster::instruction_sets()");

@@ -17,7 +17,7 @@ namespace csgcast {
 /// The interval lists of many rays: those of ray i are intervals[offsets[i]] to intervals[offsets[i + 1]], exclusive.
 struct IntervalBatch {
   std::vector<Interval> intervals;
-  std::vector<std::size_t> offsets;           ///< rays + 1
+  std::vector<std::size_t> offsets;          ///< rays + 1
   std::vector<std::uint8_t> left_to_caster;  ///< by ray: 1 if lanes could not decide it
 
   std::span<const Interval> of(std::size_t ray) const {
@@ -36,9 +36,9 @@ struct PacketCounts {
   PacketCounts& operator+=(const PacketCounts& other);
 };
 
-/// Answers many rays at once, a ray in each lane of the machine's vector registers: the same answers as Caster's, to the
-/// last bit. Fast for rays that go about the same way, next to each other in the span; right for any. Rays that lanes
-/// cannot decide go to a Caster, one by one.
+/// Answers many rays at once, a ray in each lane of the machine's vector registers: the same answers as Caster's, to
+/// the last bit. Fast for rays that go about the same way, next to each other in the span; right for any. Rays that
+/// lanes cannot decide go to a Caster, one by one.
 ///
 /// The working memory of one thread.
 class PacketCaster {

@@ -123,7 +123,7 @@ int sign_at(const Surface& surface, Point p) {
   // the bound. Out of the middle of the exponents under- and overflow may have touched a term.
   if (surface.in_range && magnitude > 0x1p-900 && magnitude < 0x1p900 && std::fabs(sum) > 0x10p-53 * magnitude)
     return sum > 0 ? 1 : -1;
-  return surface.exact.at(p).sign();
+  return surface.exact.unpacked().at(p).sign();
 }
 
 const Predicates& certified_predicates() {

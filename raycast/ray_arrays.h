@@ -11,7 +11,7 @@ struct RayArrays {
   std::size_t count = 0;
   const double* origin[3] = {};
   const double* direction[3] = {};
-  const std::uint32_t* departure = nullptr;        ///< the surface that each ray starts on (Departure); null: no ray does
+  const std::uint32_t* departure = nullptr;  ///< the surface that each ray starts on (Departure); null: no ray does
   const std::uint8_t* departs_positive = nullptr;  ///< whether towards its positive side
   bool whole_line = false;                         ///< from -infinity on, not from 0; no ray departs then
   const double* end = nullptr;                     ///< the t up to which each ray is asked; null: infinity
@@ -22,13 +22,13 @@ struct FaceArrays {
   enum State : std::uint8_t { none, entry, exit };
 
   std::uint8_t* state = nullptr;
-  double* t = nullptr;                   ///< Rounding::close
-  double* point[3] = {};                 ///< Attribution::point, ..
-  double* normal[3] = {};                ///< unit, out of the solid
-  std::uint32_t* surface = nullptr;      ///< SurfaceId
-  std::uint32_t* look = nullptr;         ///< LookId
+  double* t = nullptr;                     ///< Rounding::close
+  double* point[3] = {};                   ///< Attribution::point, ..
+  double* normal[3] = {};                  ///< unit, out of the solid
+  std::uint32_t* surface = nullptr;        ///< SurfaceId
+  std::uint32_t* look = nullptr;           ///< LookId
   std::uint8_t* comes_positive = nullptr;  ///< Attribution::front is the positive side
-  std::uint32_t* leaf = nullptr;         ///< LeafId
+  std::uint32_t* leaf = nullptr;           ///< LeafId
 };
 
 }  // namespace csgcast

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "csg/bounds.h"
@@ -27,11 +26,11 @@ struct HalfSpace {
 struct Leaf {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  std::string kind;  ///< the scene text's word
-  Place place;       ///< the statement that made it
+  Place place;  ///< the statement that made it
   RegionId region;
   PartId part;  ///< not valid outside every part
   LookId look;
+  LeafKind kind = LeafKind::convex;
   bool holds_nothing = false;  ///< some operator subtracts it: it is never what a medium is made of
   bool shows_cut =
       false;  ///< it counts negatively and no look is set below the subtraction: its faces show what was cut
@@ -121,11 +120,12 @@ class Scene {
   WeldReport weld_report_;
 };
 
-/// The exact answer is that of the solid as it is, or of the welded one if welding is asked for.
+/// The exact answer is that of the solid as it is, or of the welded one if welding is asked for. A solid that is handed
+/// over (a temporary, or moved) is given up before the surfaces are made, so the two never take memory side by side.
 ///
 /// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has
 /// more than 2^22 leaves; Error(usage) for a part below an intersection, difference or complement, or within a part;
 /// Error(bad_value) for a tolerance out of range.
-Scene compile(const Solid& solid, const Welding& welding = {});
+Scene compile(Solid solid, const Welding& welding = {});
 
 }  // namespace csgcast

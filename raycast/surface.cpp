@@ -23,12 +23,13 @@ double magnitude_sum(const Coefficients& c, std::size_t begin, std::size_t end) 
 
 }  // namespace
 
-Surface make_surface(QuadricForm canonical, const Frame& frame, Point near, bool is_local) {
+Surface make_surface(PackedForm canonical, const Frame& frame, Point near, bool is_local) {
+  const QuadricForm form = canonical.unpacked();
   Surface surface;
-  surface.kind = canonical.is_plane() ? SurfaceKind::plane : SurfaceKind::quadric;
+  surface.kind = form.is_plane() ? SurfaceKind::plane : SurfaceKind::quadric;
   surface.is_local = is_local;
   surface.exact = std::move(canonical);
-  surface.in_range = round_scaled(surface.exact, surface.world);
+  surface.in_range = round_scaled(form, surface.world);
   ExactPoint origin;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (surface.kind == SurfaceKind::quadric)
@@ -36,8 +37,7 @@ Surface make_surface(QuadricForm canonical, const Frame& frame, Point near, bool
     origin[axis] = Dyadic(frame.center[axis]) + Dyadic(surface.center[axis]).scaled(frame.exponent);
   }
   surface.in_range =
-      round_scaled(in_coordinates(surface.exact, origin, frame.exponent), surface.local, &surface.local_low) &&
-      surface.in_range;
+      round_scaled(in_coordinates(form, origin, frame.exponent), surface.local, &surface.local_low) && surface.in_range;
   surface.second_degree = magnitude_sum(surface.local, 0, Form::x);
   surface.first_degree = magnitude_sum(surface.local, Form::x, Form::one);
   surface.constant = std::fabs(surface.local[Form::one]);

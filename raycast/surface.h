@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "csg/exact/quadric_form.h"
+#include "csg/exact/packed_form.h"
 #include "csg/vector.h"
 #include "raycast/frame.h"
 
@@ -21,7 +21,7 @@ struct Surface {
   bool is_local = true;
   /// False if a coefficient underflowed beside the largest one: then the doubles decide nothing.
   bool in_range = true;
-  QuadricForm exact;  ///< coprime integers, first non-zero one positive
+  PackedForm exact;  ///< coprime integers, first non-zero one positive
 
   /// In the world's coordinates and times a power of two: each coefficient rounded to nearest, the largest near 1.
   Coefficients world{};
@@ -39,7 +39,7 @@ struct Surface {
 
 /// The floating-point forms of a canonical form. `near` should lie near the part of the surface that is seen; any
 /// finite point is right.
-Surface make_surface(QuadricForm canonical, const Frame& frame, Point near, bool is_local);
+Surface make_surface(PackedForm canonical, const Frame& frame, Point near, bool is_local);
 
 /// The gradient of the surface's form at p up to a positive factor, in plain double.
 Vector gradient(const Surface& surface, const Frame& frame, Point p);

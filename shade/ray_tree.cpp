@@ -54,7 +54,8 @@ std::string line(const RayRecord& ray, const Scene& scene) {
   fmt::format_to(out, " {}", sentence(ray.fate));
   if (ray.fate == Fate::hit) {
     const Leaf& leaf = scene.leaf(ray.leaf);
-    fmt::format_to(out, " {} {} (look {}) at t {:.9g}", to_string(leaf.place), leaf.kind, ray.look.index(), ray.t);
+    fmt::format_to(out, " {} {} (look {}) at t {:.9g}", to_string(leaf.place), word(leaf.kind), ray.look.index(),
+                   ray.t);
   }
   const bool reaches = ray.fate == Fate::hit || ray.fate == Fate::left || ray.fate == Fate::at_depth_limit;
   if (reaches || ray.fate == Fate::below_cutoff) fmt::format_to(out, ", weight {}", text(ray.weight));

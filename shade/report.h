@@ -30,9 +30,9 @@ struct RenderReport {
   RayCounts rays;
   SkipCounts skipped;
   std::uint64_t total_reflections =
-      0;  ///< transmission rays that total internal reflection turned into reflection rays
-  CasterCounts casts;   ///< of rays one by one
-  PacketCounts packets;  ///< of rays in packets
+      0;                     ///< transmission rays that total internal reflection turned into reflection rays
+  CasterCounts casts;        ///< of rays one by one
+  PacketCounts packets;      ///< of rays in packets
   double cells_seconds = 0;  ///< of the wall clock, cutting the scene into cells
   double seconds = 0;        ///< of the wall clock, tracing
   double cpu_seconds = 0;    ///< of all processors together, tracing

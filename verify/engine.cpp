@@ -89,7 +89,7 @@ std::vector<EngineKind> make_table() {
   table.push_back({"scalar", [](Subject& s) { return scalar_engine(s.scene(), certified_predicates()); }});
   static std::deque<std::string> names;  // the table's names stay
   const auto add = [&](PacketCaster::Width width, std::string_view set) {
-    names.push_back((width == PacketCaster::Width::packet ? "packets, " : "single rays, ") + std::string(set));
+    names.push_back((width == PacketCaster::Width::packet ? "packets/" : "single/") + std::string(set));
     table.push_back({names.back(), [=](Subject& s) { return std::make_unique<PacketEngine>(s.cells(), width, set); }});
   };
   const std::vector<std::string_view> sets = PacketCaster::instruction_sets();

@@ -55,8 +55,8 @@ std::optional<Vector> newton_step(const Scene& scene, std::span<const SurfaceId>
     const Vector slope = world_gradient(surface, p);
     const Vector normal = normalised(slope);
     if (normal == Vector{}) return std::nullopt;
-    const double distance =
-        surface.exact.at(p).scaled(-scale_of(surface.exact)).nearest() / length(slope) + dot(normal, step);
+    const Form form = surface.exact.unpacked();
+    const double distance = form.at(p).scaled(-scale_of(form)).nearest() / length(slope) + dot(normal, step);
     Vector rest = normal;
     for (std::size_t j = 0; j < i; ++j) rest = rest - dot(rest, axis[j]) * axis[j];
     constexpr double tangent = 1e-7;
@@ -126,7 +126,8 @@ std::optional<Point> center_of(const Scene& scene, SurfaceId id) {
   if (!q) return std::nullopt;
   Point p = frame.center + std::ldexp(1.0, frame.exponent) * (surface.center + *q);
   for (int i = 0; i < 3; ++i) {
-    const std::optional<Vector> step = solve(second_degree(surface.world), -exact_gradient(surface.exact, p));
+    const std::optional<Vector> step =
+        solve(second_degree(surface.world), -exact_gradient(surface.exact.unpacked(), p));
     if (!step || !is_finite(*step)) break;
     p = p + *step;
   }

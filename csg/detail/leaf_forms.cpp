@@ -35,12 +35,12 @@ QuadricForm plane_form(const std::string& statement, Vector normal, double dista
 
 LeafShape halfspace_shape(QuadricForm plane) {
   LeafShape shape;
-  shape.kind = "halfspace";
+  shape.kind = LeafKind::halfspace;
   shape.bounds = bounds(plane);
   shape.is_convex_polyhedron = true;
   shape.error.scales_with_axes = false;
   shape.error.errors.push_back(coefficient_error(plane));
-  shape.forms.push_back(std::move(plane));
+  shape.forms.push_back(plane);
   return shape;
 }
 
@@ -70,8 +70,10 @@ void set_forms(LeafShape& shape, const std::vector<FormWithError>& forms) {
   std::sort(sorted.begin(), sorted.end(), less);
   sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
   shape.error.scales_with_axes = false;
-  for (FormWithError& f : sorted) {
-    shape.forms.push_back(std::move(f.form));
+  shape.forms.reserve(sorted.size());
+  shape.error.errors.reserve(sorted.size());
+  for (const FormWithError& f : sorted) {
+    shape.forms.push_back(f.form);
     shape.error.errors.push_back(f.error);
   }
 }

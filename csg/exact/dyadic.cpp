@@ -20,23 +20,51 @@ struct Truncated {
   bool exactly_half;
 };
 
+// magnitude * 2^exponent. Precondition: that is a double.
+double scaled_double(std::uint64_t magnitude, std::int64_t exponent) {
+  constexpr std::int64_t bias = 1023;
+  if (exponent <= -bias || exponent > bias)
+    return std::ldexp(static_cast<double>(magnitude), static_cast<int>(exponent));
+  return static_cast<double>(magnitude) * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + bias) << 52);
+}
+
+constexpr Truncated beyond_doubles{std::numeric_limits<double>::max(), false, true, false};
+
+// The unit in the last place of a double that begins with the number's first bit: 53 bits, or fewer for subnormal ones.
+std::int64_t last_place(std::int64_t bits, std::int64_t exponent) {
+  return std::max<std::int64_t>(bits + exponent - 53, -1074);
+}
+
+// A mantissa of 128 bits or more: always more than a double has, and since it is odd something is cut off that is not
+// half a unit.
 Truncated truncate(const mpz_class& mantissa, std::int64_t exponent) {
-  const auto bits = static_cast<std::int64_t>(mpz_sizeinbase(mantissa.get_mpz_t(), 2));
-  if (bits + exponent > 1024) return {std::numeric_limits<double>::max(), false, true, false};
-  // The unit in the last place of the result: 53 bits, or fewer for subnormal numbers.
-  const std::int64_t unit = std::max<std::int64_t>(bits + exponent - 53, -1074);
+  constexpr std::int64_t limb_bits = 64;
+  const mpz_srcptr m = mantissa.get_mpz_t();
+  const auto bits = static_cast<std::int64_t>(mpz_sizeinbase(m, 2));
+  if (bits + exponent > 1024) return beyond_doubles;
+  const std::int64_t unit = last_place(bits, exponent);
   const std::int64_t cut = unit - exponent;
-  if (cut <= 0) {
-    mpz_class whole = abs(mantissa) << static_cast<mp_bitcnt_t>(-cut);
-    return {std::ldexp(whole.get_d(), static_cast<int>(unit)), true, false, false};
-  }
   if (cut > bits) return {0.0, false, false, false};
-  const auto shift = static_cast<mp_bitcnt_t>(cut);
-  const mpz_class all = abs(mantissa);
-  const mpz_class kept = all >> shift;
-  const bool half = mpz_tstbit(all.get_mpz_t(), shift - 1) != 0;
-  const bool rest = mpz_scan1(all.get_mpz_t(), 0) < shift - 1;
-  return {std::ldexp(kept.get_d(), static_cast<int>(unit)), !half && !rest, half, half && !rest};
+  const auto limb = [m](std::int64_t i) { return mpz_getlimbn(m, static_cast<mp_size_t>(i)); };  // 0 past the last
+  const std::int64_t low = cut / limb_bits, offset = cut % limb_bits;
+  const std::uint64_t kept =
+      limb(low) >> offset | (offset != 0 ? limb(low + 1) << (limb_bits - offset) : std::uint64_t{0});
+  const bool half = (limb((cut - 1) / limb_bits) >> ((cut - 1) % limb_bits) & 1) != 0;
+  return {scaled_double(kept, unit), false, half, false};
+}
+
+__extension__ using Bits = unsigned __int128;
+
+Truncated truncate(Bits magnitude, std::int64_t bits, std::int64_t exponent) {
+  if (bits + exponent > 1024) return beyond_doubles;
+  const std::int64_t unit = last_place(bits, exponent);
+  const std::int64_t cut = unit - exponent;
+  if (cut <= 0) return {scaled_double(static_cast<std::uint64_t>(magnitude), exponent), true, false, false};
+  if (cut > bits) return {0.0, false, false, false};
+  const Bits half_unit = Bits{1} << (cut - 1);
+  const Bits rest = magnitude & (2 * half_unit - 1);
+  return {scaled_double(static_cast<std::uint64_t>(magnitude >> cut), unit), rest == 0, rest >= half_unit,
+          rest == half_unit};
 }
 
 bool is_odd_in_last_place(double magnitude) {
@@ -77,10 +105,13 @@ class Dyadic::MantissaView {
 
 Dyadic::Dyadic(double value) {
   if (value == 0) return;
-  int exponent = 0;
-  const double fraction = std::frexp(value, &exponent);
-  small_ = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-  exponent_ = exponent - 53;
+  constexpr int fraction_bits = 52;
+  constexpr std::uint64_t implicit_one = std::uint64_t{1} << fraction_bits;
+  const auto word = std::bit_cast<std::uint64_t>(value);
+  const auto biased = static_cast<std::int64_t>(word >> fraction_bits & 0x7ff);
+  const std::uint64_t magnitude = (word & (implicit_one - 1)) | (biased != 0 ? implicit_one : 0);
+  small_ = value < 0 ? -static_cast<Small>(magnitude) : static_cast<Small>(magnitude);
+  exponent_ = std::max<std::int64_t>(biased, 1) - 1075;
   normalise();
 }
 
@@ -96,16 +127,6 @@ Dyadic::Dyadic(std::unique_ptr<mpz_class> mantissa, std::int64_t exponent)
 
 Dyadic::Dyadic(Small mantissa, std::int64_t exponent, std::nullptr_t) : small_(mantissa), exponent_(exponent) {
   normalise();
-}
-
-Dyadic::Dyadic(const Dyadic& other)
-    : small_(other.small_),
-      large_(other.large_ ? std::make_unique<mpz_class>(*other.large_) : nullptr),
-      exponent_(other.exponent_) {}
-
-Dyadic& Dyadic::operator=(const Dyadic& other) {
-  if (this != &other) *this = Dyadic(other);
-  return *this;
 }
 
 void Dyadic::normalise() {
@@ -124,8 +145,7 @@ void Dyadic::normalise() {
     exponent_ = 0;
     return;
   }
-  const auto low = static_cast<std::uint64_t>(small_);
-  const int zeros = low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(small_ >> 64));
+  const int zeros = trailing_zeros(static_cast<Bits>(small_));
   small_ >>= zeros;  // arithmetic, and exact: only zeros are cut off
   exponent_ += zeros;
 }
@@ -136,20 +156,6 @@ mpz_class Dyadic::mantissa() const {
   return result;
 }
 
-std::size_t Dyadic::bits() const {
-  if (large_) return mpz_sizeinbase(large_->get_mpz_t(), 2);
-  const Bits magnitude = absolute(small_);
-  const auto high = static_cast<std::uint64_t>(magnitude >> 64);
-  return static_cast<std::size_t>(high != 0 ? 64 + std::bit_width(high)
-                                            : std::bit_width(static_cast<std::uint64_t>(magnitude)));
-}
-
-Dyadic Dyadic::scaled(std::int64_t shift) const {
-  Dyadic result = *this;
-  if (!is_zero()) result.exponent_ += shift;
-  return result;
-}
-
 std::size_t Dyadic::hash() const {
   const auto low = large_ ? static_cast<std::uint64_t>(mpz_getlimbn(large_->get_mpz_t(), 0))
                           : static_cast<std::uint64_t>(absolute(small_));
@@ -157,20 +163,8 @@ std::size_t Dyadic::hash() const {
          0x9e3779b97f4a7c15u;
 }
 
-Dyadic Dyadic::operator-() const {
-  Dyadic result = *this;
-  if (large_) {
-    mpz_neg(result.large_->get_mpz_t(), result.large_->get_mpz_t());
-  } else {
-    result.small_ = -small_;
-  }
-  return result;
-}
-
 Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b) {
   const bool subtract = sign_of_b == Sign::minus;
-  if (a.is_zero()) return subtract ? -b : b;
-  if (b.is_zero()) return a;
   const bool a_is_high = a.exponent_ >= b.exponent_;
   const Dyadic& high = a_is_high ? a : b;
   const Dyadic& low = a_is_high ? b : a;
@@ -196,7 +190,13 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b) {
 }
 
 Dyadic Dyadic::product(const Dyadic& a, const Dyadic& b) {
-  if (a.is_zero() || b.is_zero()) return {};
+  const auto fits_a_word = [](Small value) { return value == static_cast<std::int64_t>(value); };
+  if (!a.large_ && !b.large_ && fits_a_word(a.small_) && fits_a_word(b.small_)) {
+    Dyadic result;  // a product of odd numbers is odd
+    result.small_ = a.small_ * b.small_;
+    result.exponent_ = a.exponent_ + b.exponent_;
+    return result;
+  }
   Small small = 0;
   if (!a.large_ && !b.large_ && !__builtin_mul_overflow(a.small_, b.small_, &small)) {
     return {small, a.exponent_ + b.exponent_, nullptr};
@@ -224,9 +224,12 @@ Dyadic common_divisor(const Dyadic& a, const Dyadic& b) {
   if (a.large_ || b.large_) return {gcd(a.mantissa(), b.mantissa()), 0};
   Dyadic::Bits x = Dyadic::absolute(a.small_);
   Dyadic::Bits y = Dyadic::absolute(b.small_);
-  while (y != 0) {
-    x %= y;
-    std::swap(x, y);
+  if (x == 0) std::swap(x, y);
+  // Both odd: so is the divisor, and no difference of theirs is. Source: Stein 1967.
+  while (y != 0 && x != 1) {
+    y >>= Dyadic::trailing_zeros(y);
+    if (x > y) std::swap(x, y);
+    y -= x;
   }
   return {static_cast<Dyadic::Small>(x), 0, nullptr};
 }
@@ -238,11 +241,11 @@ Dyadic exact_quotient(const Dyadic& a, const Dyadic& b) {
   return {quotient, a.exponent_ - b.exponent_};
 }
 
-double Dyadic::nearest() const {
+double Dyadic::nearest(std::int64_t shift) const {
   if (is_zero()) return 0;
-  if (!large_ && bits() <= 53 && magnitude() <= 1024 && exponent_ >= -1074)
-    return std::ldexp(static_cast<double>(static_cast<std::int64_t>(small_)), static_cast<int>(exponent_));
-  const Truncated cut = truncate(mantissa(), exponent_);
+  const std::int64_t exponent = exponent_ + shift;
+  const Truncated cut =
+      large_ ? truncate(*large_, exponent) : truncate(absolute(small_), static_cast<std::int64_t>(bits()), exponent);
   double magnitude = cut.magnitude;
   if (cut.at_least_half && (!cut.exactly_half || is_odd_in_last_place(magnitude))) {
     magnitude = std::nextafter(magnitude, infinity);
@@ -252,7 +255,8 @@ double Dyadic::nearest() const {
 
 double Dyadic::rounded_down() const {
   if (is_zero()) return 0;
-  const Truncated cut = truncate(mantissa(), exponent_);
+  const Truncated cut =
+      large_ ? truncate(*large_, exponent_) : truncate(absolute(small_), static_cast<std::int64_t>(bits()), exponent_);
   if (sign() > 0) return cut.magnitude;
   return cut.exact ? -cut.magnitude : std::nextafter(-cut.magnitude, -infinity);
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <gmpxx.h>
 
@@ -21,9 +24,15 @@ class Dyadic {
   Dyadic(double value);  // NOLINT(google-explicit-constructor): a double is a dyadic number
   /// mantissa * 2^exponent.
   Dyadic(const mpz_class& mantissa, std::int64_t exponent);
-  Dyadic(const Dyadic& other);
+  Dyadic(const Dyadic& other)
+      : small_(other.small_),
+        large_(other.large_ ? std::make_unique<mpz_class>(*other.large_) : nullptr),
+        exponent_(other.exponent_) {}
   Dyadic(Dyadic&& other) noexcept = default;
-  Dyadic& operator=(const Dyadic& other);
+  Dyadic& operator=(const Dyadic& other) {
+    if (this != &other) *this = Dyadic(other);
+    return *this;
+  }
   Dyadic& operator=(Dyadic&& other) noexcept = default;
   ~Dyadic() = default;
 
@@ -33,20 +42,41 @@ class Dyadic {
   mpz_class mantissa() const;
   std::int64_t exponent() const { return exponent_; }
   /// The number of bits of |m|; 0 for zero.
-  std::size_t bits() const;
+  std::size_t bits() const { return large_ ? mpz_sizeinbase(large_->get_mpz_t(), 2) : bits_of(absolute(small_)); }
   /// The least k with |value| < 2^k; meaningless for zero.
   std::int64_t magnitude() const { return static_cast<std::int64_t>(bits()) + exponent_; }
   /// value * 2^shift.
-  Dyadic scaled(std::int64_t shift) const;
+  Dyadic scaled(std::int64_t shift) const& { return Dyadic(*this).scaled(shift); }
+  Dyadic scaled(std::int64_t shift) && {
+    if (!is_zero()) exponent_ += shift;
+    return std::move(*this);
+  }
   std::size_t hash() const;
 
-  Dyadic operator-() const;
-  Dyadic& operator+=(const Dyadic& other) { return *this = sum(*this, other); }
-  Dyadic& operator-=(const Dyadic& other) { return *this = sum(*this, other, Sign::minus); }
-  Dyadic& operator*=(const Dyadic& other) { return *this = product(*this, other); }
-  friend Dyadic operator+(const Dyadic& a, const Dyadic& b) { return sum(a, b); }
-  friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return sum(a, b, Sign::minus); }
-  friend Dyadic operator*(const Dyadic& a, const Dyadic& b) { return product(a, b); }
+  Dyadic operator-() const& { return -Dyadic(*this); }
+  Dyadic operator-() && {
+    if (large_) mpz_neg(large_->get_mpz_t(), large_->get_mpz_t());
+    small_ = -small_;
+    return std::move(*this);
+  }
+  Dyadic& operator+=(const Dyadic& other) { return other.is_zero() ? *this : *this = *this + other; }
+  Dyadic& operator-=(const Dyadic& other) { return other.is_zero() ? *this : *this = *this - other; }
+  Dyadic& operator*=(const Dyadic& other) { return *this = *this * other; }
+  // Most terms of most forms and matrices are zero.
+  friend Dyadic operator+(const Dyadic& a, const Dyadic& b) {
+    return a.is_zero() ? b : b.is_zero() ? a : sum(a, b, Sign::plus);
+  }
+  friend Dyadic operator-(const Dyadic& a, const Dyadic& b) {
+    return a.is_zero() ? -b : b.is_zero() ? a : sum(a, b, Sign::minus);
+  }
+  friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+    return a.is_zero() || b.is_zero() ? Dyadic() : product(a, b);
+  }
+  /// Appends the number's packed form: equal numbers have equal bytes. unpack() is its inverse and moves on to
+  /// what follows.
+  void pack(std::vector<std::byte>& bytes) const;
+  static Dyadic unpack(const std::byte*& bytes);
+
   friend bool operator==(const Dyadic& a, const Dyadic& b);
   friend std::strong_ordering operator<=>(const Dyadic& a, const Dyadic& b);
 
@@ -55,8 +85,8 @@ class Dyadic {
   /// a / b. Precondition: b's mantissa divides a's.
   friend Dyadic exact_quotient(const Dyadic& a, const Dyadic& b);
 
-  /// The nearest double, ties to even; overflows to infinity, gradual underflow.
-  double nearest() const;
+  /// The nearest double to value * 2^shift, ties to even; overflows to infinity, gradual underflow.
+  double nearest(std::int64_t shift = 0) const;
   /// The largest double <= value (-infinity possible).
   double rounded_down() const;
   /// The least double >= value (+infinity possible).
@@ -71,9 +101,19 @@ class Dyadic {
 
   Dyadic(Small mantissa, std::int64_t exponent, std::nullptr_t);
   Dyadic(std::unique_ptr<mpz_class> mantissa, std::int64_t exponent);
-  static Dyadic sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b = Sign::plus);
+  // Preconditions: neither is zero.
+  static Dyadic sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b);
   static Dyadic product(const Dyadic& a, const Dyadic& b);
   static Bits absolute(Small value) { return value < 0 ? -static_cast<Bits>(value) : static_cast<Bits>(value); }
+  static std::size_t bits_of(Bits value) {
+    const auto high = static_cast<std::uint64_t>(value >> 64);
+    return static_cast<std::size_t>(high != 0 ? 64 + std::bit_width(high)
+                                              : std::bit_width(static_cast<std::uint64_t>(value)));
+  }
+  static int trailing_zeros(Bits value) {
+    const auto low = static_cast<std::uint64_t>(value);
+    return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(value >> 64));
+  }
   void normalise();
 
   Small small_ = 0;                   // the mantissa, unless large_ is set

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <utility>
 
 namespace csgcast {
 namespace {
@@ -101,25 +102,27 @@ QuadricForm FormMover::moved(const QuadricForm& f) const {
   return g;
 }
 
-CanonicalForm canonical(const QuadricForm& f) {
+CanonicalForm canonical(QuadricForm f) {
   assert(!f.is_constant());
+  static const Dyadic one(1.0);
   // Mantissas are odd: their greatest common divisor and the least exponent are that of the coefficients.
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   Dyadic divisor;
   for (const Dyadic& c : f.coefficient) {
     if (c.is_zero()) continue;
     least = std::min(least, c.exponent());
-    divisor = common_divisor(divisor, c);
+    if (divisor != one) divisor = common_divisor(divisor, c);
   }
-  CanonicalForm result;
-  for (std::size_t i = 0; i < QuadricForm::term_count; ++i) {
-    const Dyadic& c = f.coefficient[i];
-    if (!c.is_zero()) result.form.coefficient[i] = exact_quotient(c, divisor).scaled(-least);
+  const auto leading =
+      std::find_if(f.coefficient.begin(), f.coefficient.end(), [](const Dyadic& c) { return !c.is_zero(); });
+  const bool flipped = leading->sign() < 0;
+  CanonicalForm result{std::move(f), flipped};
+  for (Dyadic& c : result.form.coefficient) {
+    if (c.is_zero()) continue;
+    if (divisor != one) c = exact_quotient(c, divisor);
+    c = std::move(c).scaled(-least);
+    if (result.flipped) c = -std::move(c);
   }
-  const auto leading = std::find_if(result.form.coefficient.begin(), result.form.coefficient.end(),
-                                    [](const Dyadic& c) { return !c.is_zero(); });
-  result.flipped = leading->sign() < 0;
-  if (result.flipped) result.form = -result.form;
   return result;
 }
 

@@ -64,6 +64,6 @@ struct CanonicalForm {
 };
 
 /// Precondition: f is not constant.
-CanonicalForm canonical(const QuadricForm& f);
+CanonicalForm canonical(QuadricForm f);
 
 }  // namespace csgcast

@@ -29,14 +29,14 @@ bool is_scene_statement(const Node& node) {
 
 /// The first statement with `!` in file order; null if there is none. As in OpenSCAD it may stand below `%`, but not
 /// below `*`.
-const Node* find_root(const std::vector<Node>& nodes) {
-  std::vector<std::span<const Node>> open{nodes};
+Node* find_root(std::vector<Node>& nodes) {
+  std::vector<std::span<Node>> open{nodes};
   while (!open.empty()) {
     if (open.back().empty()) {
       open.pop_back();
       continue;
     }
-    const Node& node = open.back().front();
+    Node& node = open.back().front();
     open.back() = open.back().subspan(1);
     if ((node.modifiers & disabled) != 0 || is_scene_statement(node)) continue;
     if ((node.modifiers & root_only) != 0) return &node;
@@ -55,25 +55,25 @@ struct Below {
 /// combined when it is left.
 class Builder {
  public:
-  Builder(const Document& document, const BuildOptions& options) : document_(document), options_(options) {}
+  Builder(Document document, const BuildOptions& options) : document_(std::move(document)), options_(options) {}
 
   SceneDescription build();
 
  private:
   struct Frame {
-    std::span<const Node> children;  ///< still to come
-    const Node* node = nullptr;      ///< null for the whole document
+    std::span<Node> children;  ///< still to come
+    Node* node = nullptr;      ///< null for the whole document
     Combine combine = unite;
     Below below;
     std::vector<Solid> solids;
   };
 
-  Solid build_solid(std::span<const Node> nodes);
-  void enter(const Node& node);
+  Solid build_solid(std::span<Node> nodes);
+  void enter(Node& node);
   void leave();
   void apply(const Node& node, const Statement& statement, const SceneStatement& meaning);
   Solid make_solid(const Node& node, const Statement& statement, const SolidStatement& meaning);
-  void open(const Node& node, const Statement& statement, const OperatorStatement& meaning);
+  void open(Node& node, const Statement& statement, const OperatorStatement& meaning);
 
   const Statement& statement_of(const Node& node) const;
   Call call(const Node& node, const Statement& statement) {
@@ -84,7 +84,7 @@ class Builder {
   void require_part_allowed(const Node& part, const Below& below) const;
   void warn_of_repeated_part(const Call& part);
 
-  const Document& document_;
+  Document document_;
   const BuildOptions& options_;
   SceneDescription scene_;
   std::vector<Frame> frames_;
@@ -93,7 +93,7 @@ class Builder {
 };
 
 SceneDescription Builder::build() {
-  const Node* root = find_root(document_.nodes);
+  Node* root = find_root(document_.nodes);
   if (root == nullptr) {
     scene_.solid = build_solid(document_.nodes);
     return std::move(scene_);
@@ -107,14 +107,14 @@ SceneDescription Builder::build() {
   return std::move(scene_);
 }
 
-Solid Builder::build_solid(std::span<const Node> nodes) {
+Solid Builder::build_solid(std::span<Node> nodes) {
   Frame whole;
   whole.children = nodes;
   frames_.push_back(std::move(whole));
   while (true) {
     Frame& frame = frames_.back();
     if (!frame.children.empty()) {
-      const Node& node = frame.children.front();
+      Node& node = frame.children.front();
       frame.children = frame.children.subspan(1);
       if (!is_skipped(node)) enter(node);
     } else if (frames_.size() > 1) {
@@ -125,10 +125,11 @@ Solid Builder::build_solid(std::span<const Node> nodes) {
   }
 }
 
-void Builder::enter(const Node& node) {
+void Builder::enter(Node& node) {
   const Statement& statement = statement_of(node);
   if (const auto* solid = std::get_if<SolidStatement>(&statement.meaning)) {
     frames_.back().solids.push_back(make_solid(node, statement, *solid));
+    node.give_up();
   } else if (const auto* scene = std::get_if<SceneStatement>(&statement.meaning)) {
     apply(node, statement, *scene);
   } else {
@@ -141,7 +142,8 @@ void Builder::leave() {
   frames_.pop_back();
   Solid solid = frame.combine(std::move(frame.solids));
   // A union of one is that one, which keeps its own place.
-  if (solid.place().line == 0) solid = solid.at(place(*frame.node));
+  if (solid.place().line == 0) solid = std::move(solid).at(place(*frame.node));
+  frame.node->give_up();
   frames_.back().solids.push_back(std::move(solid));
 }
 
@@ -164,7 +166,7 @@ const Statement& Builder::statement_of(const Node& node) const {
 Solid Builder::make_solid(const Node& node, const Statement& statement, const SolidStatement& meaning) {
   Solid solid = meaning.make(call(node, statement));
   reject_children(node);
-  return solid.at(place(node));
+  return std::move(solid).at(place(node));
 }
 
 void Builder::apply(const Node& node, const Statement& statement, const SceneStatement& meaning) {
@@ -182,7 +184,7 @@ void Builder::apply(const Node& node, const Statement& statement, const SceneSta
   reject_children(node);
 }
 
-void Builder::open(const Node& node, const Statement& statement, const OperatorStatement& meaning) {
+void Builder::open(Node& node, const Statement& statement, const OperatorStatement& meaning) {
   Below below = frames_.back().below;
   const bool is_part = node.name == "part";
   if (is_part) require_part_allowed(node, below);
@@ -221,8 +223,8 @@ void Builder::warn_of_repeated_part(const Call& part) {
 
 }  // namespace
 
-SceneDescription build(const Document& document, const BuildOptions& options) {
-  return Builder(document, options).build();
+SceneDescription build(Document document, const BuildOptions& options) {
+  return Builder(std::move(document), options).build();
 }
 
 }  // namespace csgcast::text

@@ -17,8 +17,9 @@ struct BuildOptions {
   Facets facets = Facets::automatic;
 };
 
-/// What the statements mean. Throws Error naming the first (in file order) statement that is unknown, wrongly used or
-/// not supported yet, with its place.
-SceneDescription build(const Document& document, const BuildOptions& options = {});
+/// What the statements mean; each is given up once it is built, so a document that is moved here and the solids take
+/// little more memory than one of them. Throws Error naming the first (in file order) statement that is unknown,
+/// wrongly used or not supported yet, with its place.
+SceneDescription build(Document document, const BuildOptions& options = {});
 
 }  // namespace csgcast::text

@@ -52,7 +52,7 @@ Place place_at(std::string_view text, std::size_t position, const std::string& f
 
 }  // namespace
 
-Document read(std::string_view text, std::string file) {
+Document read(std::string_view text, FileName file) {
   Document document;
   document.nodes = Parser(text, file).statements();
   document.file = std::move(file);

@@ -14,7 +14,7 @@ namespace csgcast::text {
 /// nested deeper than 1,000 or with more than 4,194,304 entries and for a statement with more than 1,000 arguments.
 /// What is never closed is reported where it was opened. Statements may nest to any depth. A UTF-8 byte order mark may
 /// head the text. Linear in the text's length.
-Document read(std::string_view text, std::string file);
+Document read(std::string_view text, FileName file);
 
 /// The same for a file; "-" reads standard input. Throws Error(input_output) if it cannot be read, or is not text (a
 /// zero byte).

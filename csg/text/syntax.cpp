@@ -53,6 +53,12 @@ Node::~Node() {
   }
 }
 
+void Node::give_up() {
+  std::vector<Argument>().swap(arguments);
+  Node below;  // takes them apart without recursion
+  below.children.swap(children);
+}
+
 bool operator==(const Node& a, const Node& b) {
   std::vector<std::pair<const Node*, const Node*>> pending{{&a, &b}};
   while (!pending.empty()) {

@@ -60,6 +60,9 @@ struct Node {
   Node& operator=(const Node& other);
   Node& operator=(Node&&) noexcept = default;
   ~Node();
+
+  /// Forgets arguments and children, and gives their memory back.
+  void give_up();
 };
 
 /// Equal content, iteratively; places do not count.
@@ -67,7 +70,7 @@ bool operator==(const Node& a, const Node& b);
 
 /// A whole scene text.
 struct Document {
-  std::string file;  ///< as errors name it
+  FileName file;  ///< as errors name it
   std::vector<Node> nodes;
 
   /// Equal statements; the file's name does not count.

@@ -21,7 +21,7 @@ int main() {
   for (const Interval& interval : list) {
     const Attribution entry = caster.attribute({interval.entry, Passage::entry});
     const Attribution exit = caster.attribute({interval.exit, Passage::exit});
-    std::printf("%g (%s) .. %g (%s)\n", interval.entry.t, scene.leaf(entry.leaf).kind.c_str(), interval.exit.t,
-                scene.leaf(exit.leaf).kind.c_str());
+    std::printf("%g (%s) .. %g (%s)\n", interval.entry.t, word(scene.leaf(entry.leaf).kind), interval.exit.t,
+                word(scene.leaf(exit.leaf).kind));
   }
 }

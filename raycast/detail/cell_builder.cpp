@@ -315,9 +315,8 @@ CellBuilder::Split CellBuilder::split_by_trial(const Formula& formula, std::span
                                                const CellBox& box) {
   std::vector<Split> candidates;
   add_candidates(leaves, box, candidates);
-  std::sort(candidates.begin(), candidates.end(), [](const Split& a, const Split& b) {
-    return a.axis != b.axis ? a.axis < b.axis : a.at < b.at;
-  });
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Split& a, const Split& b) { return a.axis != b.axis ? a.axis < b.axis : a.at < b.at; });
   const auto last = std::unique(candidates.begin(), candidates.end(), [](const Split& a, const Split& b) {
     return a.axis == b.axis && std::fabs(a.at - b.at) < beside / 2;
   });
@@ -328,8 +327,8 @@ CellBuilder::Split CellBuilder::split_by_trial(const Formula& formula, std::span
     Split split = candidates[i];
     const CellBox left = below(box, split.axis, split.at);
     const CellBox right = above(box, split.axis, split.at);
-    split.cost = cost_of_node +
-                 (area(left) * trial_cost(formula, left) + area(right) * trial_cost(formula, right)) / area(box);
+    split.cost =
+        cost_of_node + (area(left) * trial_cost(formula, left) + area(right) * trial_cost(formula, right)) / area(box);
     if (best.cost == 0 || split.cost < best.cost) best = split;
   }
   return best;

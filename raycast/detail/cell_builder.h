@@ -13,8 +13,8 @@ namespace csgcast::detail {
 /// Cuts the space of a scene's node into cells, each with the formula of the surfaces that cross it.
 ///
 /// From the top down: a child's formula is its parent's, folded by what interval arithmetic shows to be constant in the
-/// child. Splits minimise the expected cost of a ray (the surface area heuristic); parts that turned out no cheaper than
-/// one cell become one.
+/// child. Splits minimise the expected cost of a ray (the surface area heuristic); parts that turned out no cheaper
+/// than one cell become one.
 class CellBuilder {
  public:
   CellBuilder(const Scene& scene, NodeId node);
@@ -55,9 +55,9 @@ class CellBuilder {
   const Scene& scene_;
   Formula whole_;
   CellData data_;
-  bool is_outside_ = false;  // the cells that are being made are infinite
-  std::vector<CellForm> forms_;      // by surface
-  std::vector<CellBox> leaf_boxes_;  // by leaf
+  bool is_outside_ = false;              // the cells that are being made are infinite
+  std::vector<CellForm> forms_;          // by surface
+  std::vector<CellBox> leaf_boxes_;      // by leaf
   std::vector<std::uint8_t> even_look_;  // by region: all that it is made of, and its faces, look the same
   Folder folder_;
   FormulaValue value_;

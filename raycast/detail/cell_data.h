@@ -45,8 +45,8 @@ struct Step {
 
 /// A part of space with what the tree comes to there: bit i of a state says that slot i's surface is positive.
 struct Cell {
-  static constexpr unsigned table_slots = 6;   ///< up to these many `table` is the value by state
-  static constexpr unsigned most_slots = 62;   ///< and beyond, `steps`; more cells hold none: `is_undecided`
+  static constexpr unsigned table_slots = 6;  ///< up to these many `table` is the value by state
+  static constexpr unsigned most_slots = 62;  ///< and beyond, `steps`; more cells hold none: `is_undecided`
 
   static constexpr std::size_t most_operands = 32;  ///< that the steps may have waiting
 

@@ -86,7 +86,8 @@ ExactMemory& memory_of(const Line& line, ExactMemory& scratch) { return line.exa
 }  // namespace
 
 ExactPolynomial::ExactPolynomial(const Line& line, SurfaceId id, const Surface& surface) {
-  const auto& k = surface.exact.coefficient;
+  const QuadricForm form = surface.exact.unpacked();
+  const auto& k = form.coefficient;
   const Point o = line.ray.origin();
   const Vector d = line.ray.direction();
   const Dyadic x(o.x);
@@ -108,7 +109,7 @@ ExactPolynomial::ExactPolynomial(const Line& line, SurfaceId id, const Surface& 
     c = std::exchange(b, std::exchange(a, Dyadic()));
     return;
   }
-  c = surface.exact.at(o);
+  c = form.at(o);
 }
 
 ExactRoot::ExactRoot(const ExactPolynomial& f, unsigned root) {

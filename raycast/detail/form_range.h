@@ -23,9 +23,9 @@ struct CellBox {
   Vector upper;
 };
 
-/// The sides of the surface that the box may meet: `negative` or `positive` only if f has that sign everywhere in it, by
-/// more than what the rounding of the form, of the coordinates within |q| < 8 and of this function may hide. Exact up
-/// to that for planes and for forms without mixed terms.
+/// The sides of the surface that the box may meet: `negative` or `positive` only if f has that sign everywhere in it,
+/// by more than what the rounding of the form, of the coordinates within |q| < 8 and of this function may hide. Exact
+/// up to that for planes and for forms without mixed terms.
 Sides sides_in(const CellForm& form, const CellBox& box);
 
 }  // namespace csgcast::detail

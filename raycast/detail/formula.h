@@ -62,10 +62,10 @@ class Folder {
 
  private:
   struct Frame {
-    std::uint32_t end;     // where its operands end in the old formula
-    std::uint32_t start;   // where it starts in the new one
-    std::uint32_t kept;    // operands that stay
-    std::uint32_t seen;    // operands so far
+    std::uint32_t end;    // where its operands end in the old formula
+    std::uint32_t start;  // where it starts in the new one
+    std::uint32_t kept;   // operands that stay
+    std::uint32_t seen;   // operands so far
     Term::Op op;
     bool is_merged;  // into the operator above, which is the same: it has no entry of its own
   };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -23,12 +24,21 @@ class Grouping {
   /// The groups of two or more, of those numbers that are wanted, ascending.
   template <class Wanted>
   Groups groups(Wanted&& wanted) {
-    Groups by_root(parent_.size());
+    std::vector<std::uint32_t> count(parent_.size());  // of each root's group
     for (std::uint32_t i = 0; i < parent_.size(); ++i) {
-      if (wanted(i)) by_root[root_of(i)].push_back(i);
+      if (wanted(i)) ++count[root_of(i)];
     }
-    std::erase_if(by_root, [](const auto& group) { return group.size() < 2; });
-    return by_root;
+    Groups groups;
+    std::vector<std::uint32_t> place(parent_.size());  // of each root's group, in groups
+    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+      if (count[i] < 2) continue;
+      place[i] = static_cast<std::uint32_t>(groups.size());
+      groups.emplace_back().reserve(count[i]);
+    }
+    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+      if (wanted(i) && count[root_of(i)] >= 2) groups[place[root_of(i)]].push_back(i);
+    }
+    return groups;
   }
 
  private:

@@ -209,6 +209,7 @@ HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Coef
 }
 
 /// Any quadric, with running errors: line_filter.cpp in lanes.
+// long: one formula with the bounds of its parts
 template <class D>
 HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface& quadric, hn::Mask<D> departing,
                                const Departures<D>* departures, std::size_t i, Events<D>& events) {
@@ -225,15 +226,15 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface&
   const V error_a = set(32 * u * quadric.second_degree);
   const V error_b = hn::Mul(hn::MulAdd(set(9 * u), slope, hn::Mul(bend, off)), e);
   const V value_size = hn::MulAdd(slope, size, set(quadric.constant));
-  const V error_c = hn::MulAdd(hn::Add(hn::MulAdd(bend, size, slope), hn::Mul(bend, off)), off,
-                               hn::Mul(set(11 * u), value_size));
+  const V error_c =
+      hn::MulAdd(hn::Add(hn::MulAdd(bend, size, slope), hn::Mul(bend, off)), off, hn::Mul(set(11 * u), value_size));
   const V abs_a = hn::Abs(f.a), abs_b = hn::Abs(f.b), abs_c = hn::Abs(f.c);
   const V bb = hn::Mul(f.b, f.b);
   const V ac = hn::Mul(f.a, f.c);
   const V discriminant = hn::Sub(bb, ac);
-  const V d_error = hn::Add(
-      hn::Add(hn::Mul(hn::MulAdd(set(2.0), abs_b, error_b), error_b), hn::Mul(abs_a, error_c)),
-      hn::MulAdd(error_a, hn::Add(abs_c, error_c), hn::Mul(set(3 * u), hn::Add(bb, hn::Abs(ac)))));
+  const V d_error =
+      hn::Add(hn::Add(hn::Mul(hn::MulAdd(set(2.0), abs_b, error_b), error_b), hn::Mul(abs_a, error_c)),
+              hn::MulAdd(error_a, hn::Add(abs_c, error_c), hn::Mul(set(3 * u), hn::Add(bb, hn::Abs(ac)))));
   const V zero = hn::Zero(d);
   const V safe = hn::Max(discriminant, d_error);
   const V root = hn::Sqrt(safe);
@@ -255,12 +256,12 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface&
       hn::Sub(abs_c, error_c),
       hn::Mul(hn::Mul(hn::MulAdd(hn::Add(abs_a, error_a), reach, hn::Mul(set(2.0), hn::Add(abs_b, error_b))), reach),
               set(1.001)));
-  const auto surely_misses = hn::And(hn::Lt(discriminant, hn::Neg(d_error)), hn::Gt(hn::Max(hn::Sub(abs_a, error_a), hn::Sub(abs_c, error_c)), zero));
+  const auto surely_misses = hn::And(hn::Lt(discriminant, hn::Neg(d_error)),
+                                     hn::Gt(hn::Max(hn::Sub(abs_a, error_a), hn::Sub(abs_c, error_c)), zero));
   const auto has_none = hn::Or(surely_misses, none_in_reach);
-  const auto is_sound =
-      hn::And(hn::And(hn::Gt(discriminant, d_error), hn::Gt(abs_sum, hn::Mul(set(2.0), sum_error))),
-              hn::And(hn::Le(slack, set(greatest_slack)),
-                      hn::Or(far_is_out, hn::Gt(abs_a, hn::Mul(set(2.0), error_a)))));
+  const auto is_sound = hn::And(
+      hn::And(hn::Gt(discriminant, d_error), hn::Gt(abs_sum, hn::Mul(set(2.0), sum_error))),
+      hn::And(hn::Le(slack, set(greatest_slack)), hn::Or(far_is_out, hn::Gt(abs_a, hn::Mul(set(2.0), error_a)))));
   const V never = hn::Inf(d);
   const V near_tau = hn::Add(f.origin, at_near);
   const V far_tau = hn::Add(f.origin, at_far);
@@ -280,7 +281,8 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface&
     events.slack = hn::Max(events.slack, hn::IfThenElseZero(hn::AndNot(has_none, is_sound), slack));
     return flag(events, is_open);
   }
-  events.slack = hn::Max(events.slack, hn::IfThenElseZero(hn::AndNot(departing, hn::AndNot(has_none, is_sound)), slack));
+  events.slack =
+      hn::Max(events.slack, hn::IfThenElseZero(hn::AndNot(departing, hn::AndNot(has_none, is_sound)), slack));
   flag(events, hn::AndNot(departing, is_open));
   // From the closest approach, where f' = 2 b, the two roots lie as far apart on either side of -b / a.
   const V ratio = hn::Div(f.b, f.a);
@@ -288,11 +290,11 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface&
   const V other = hn::Sub(hn::Add(middle, middle), line.start);
   const V ratio_off = hn::Div(hn::MulAdd(hn::Abs(ratio), error_a, error_b), abs_a);
   const V other_slack = hn::MulAdd(set(16.0), ratio_off, set(512 * u));
-  const auto leaves = hn::Or(hn::And(a_is_positive, departures->positive),
-                             hn::AndNot(a_is_positive, hn::Not(departures->positive)));
+  const auto leaves =
+      hn::Or(hn::And(a_is_positive, departures->positive), hn::AndNot(a_is_positive, hn::Not(departures->positive)));
   const auto comes_back = hn::AndNot(leaves, departing);
-  const auto too_near = hn::Or(hn::Gt(other_slack, set(greatest_slack)),
-                               hn::Lt(hn::Sub(other, line.start), set(2 * greatest_slack)));
+  const auto too_near =
+      hn::Or(hn::Gt(other_slack, set(greatest_slack)), hn::Lt(hn::Sub(other, line.start), set(2 * greatest_slack)));
   flag(events, hn::And(departing, hn::Not(certain_a)));
   flag(events, hn::And(comes_back, too_near));
   events.slack = hn::Max(events.slack, hn::IfThenElseZero(comes_back, other_slack));
@@ -349,8 +351,9 @@ HWY_INLINE void cell_events(D d, const LineLanes<D>& line, const CellData& cells
       case Kind::cylinder_x:
       case Kind::cylinder_y:
       case Kind::cylinder_z:
-        cylinder_events(d, line, surface, static_cast<std::size_t>(surface.kind) - static_cast<std::size_t>(Kind::cylinder_x),
-                        departing, departures, i, events);
+        cylinder_events(d, line, surface,
+                        static_cast<std::size_t>(surface.kind) - static_cast<std::size_t>(Kind::cylinder_x), departing,
+                        departures, i, events);
         break;
       case Kind::sphere:
         sphere_events(d, line, surface, departing, departures, i, events);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is told of hits, a ray a lane: t, place and normal, by the operations of the scalar code in the same order, so
-// that numbers do not depend on how a hit was found. Compiled once for each instruction set; included by lanes.cpp only.
+// that numbers do not depend on how a hit was found. Compiled once for each instruction set; included by lanes.cpp
+// only.
 #if defined(CSGCAST_LANE_HITS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_HITS_INL_H
 #undef CSGCAST_LANE_HITS_INL_H
@@ -16,7 +17,7 @@ namespace HWY_NAMESPACE {
 /// (line_filter.cpp). Precondition: that they are certain, which they are where lanes were.
 template <class D>
 HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> rises,
-                                 hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
+                                   hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto& k = surface.local;
@@ -34,8 +35,8 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
   const V far = hn::Add(f.origin, hn::Div(sum, f.a));
   // Two crossings if the sign of a is certain; else the near one is the only one.
   const V e = longest(line.direction);
-  const V a_error = hn::Mul(hn::Mul(hn::Mul(hn::Set(d, 8 * 0x1p-53 * surface.second_degree), e), e),
-                            hn::Set(d, 1 + 0x1p-40));
+  const V a_error =
+      hn::Mul(hn::Mul(hn::Mul(hn::Set(d, 8 * 0x1p-53 * surface.second_degree), e), e), hn::Set(d, 1 + 0x1p-40));
   const auto has_two = hn::Lt(hn::Add(a_error, a_error), hn::Abs(f.a));
   const auto second = hn::Not(hn::Xor(rises, hn::Gt(f.a, zero)));
   const V of_two = hn::IfThenElse(second, hn::Max(near, far), hn::Min(near, far));
@@ -75,8 +76,7 @@ HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const 
                      local(p.z, frame.center.z, surface.center.z)};
   const V two = hn::Set(d, 2.0);
   const auto row = [&](Form::Term own, V x, Form::Term m1, V y, Form::Term m2, V z, Form::Term linear) {
-    return hn::Add(hn::Add(hn::Add(hn::Mul(hn::Mul(two, c(own)), x), hn::Mul(c(m1), y)), hn::Mul(c(m2), z)),
-                   c(linear));
+    return hn::Add(hn::Add(hn::Add(hn::Mul(hn::Mul(two, c(own)), x), hn::Mul(c(m1), y)), hn::Mul(c(m2), z)), c(linear));
   };
   return normalised_lanes(d, Triples<V>{row(Form::xx, q.x, Form::xy, q.y, Form::xz, q.z, Form::x),
                                         row(Form::yy, q.y, Form::xy, q.x, Form::yz, q.z, Form::y),
@@ -87,8 +87,8 @@ HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const 
 template <class D>
 HWY_INLINE hn::Mask<D> tell_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
                                  hn::Mask<D> hits, const std::uint64_t* slots, hn::Mask<D> rises, hn::Mask<D> enters,
-                                 bool wants_faces, hn::Vec<D>& t, hn::Mask<D>& is_second,
-                                 Triples<hn::Vec<D>>& place, Triples<hn::Vec<D>>& normal) {
+                                 bool wants_faces, hn::Vec<D>& t, hn::Mask<D>& is_second, Triples<hn::Vec<D>>& place,
+                                 Triples<hn::Vec<D>>& normal) {
   using V = hn::Vec<D>;
   const BitsOf<D> bits;
   HWY_ALIGN std::uint64_t ids[16];

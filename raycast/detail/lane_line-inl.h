@@ -12,8 +12,8 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-using csgcast::HWY_NAMESPACE::BitsOf;
 using csgcast::HWY_NAMESPACE::biased_exponent;
+using csgcast::HWY_NAMESPACE::BitsOf;
 using csgcast::HWY_NAMESPACE::load_lanes;
 using csgcast::HWY_NAMESPACE::normalised_lanes;
 using csgcast::HWY_NAMESPACE::power_of_biased;
@@ -56,8 +56,8 @@ HWY_INLINE Exact<hn::Vec<D>> two_product(D d, hn::Vec<D> a, hn::Vec<D> b) {
   const V low_a = hn::Sub(a, high_a);
   const V low_b = hn::Sub(b, high_b);
   const V first = hn::Sub(hn::Mul(high_a, high_b), product);
-  return {product, hn::Add(hn::Add(hn::Add(first, hn::Mul(high_a, low_b)), hn::Mul(low_a, high_b)),
-                           hn::Mul(low_a, low_b))};
+  return {product,
+          hn::Add(hn::Add(hn::Add(first, hn::Mul(high_a, low_b)), hn::Mul(low_a, high_b)), hn::Mul(low_a, low_b))};
 #endif
 }
 
@@ -75,7 +75,7 @@ struct LineLanes {
   V axis_inverse[3];                     ///< of direction
   V across_inverse[3];  ///< 1 / (direction_squared less the axis' own part); 0 for rays nearly along the axis
   V across_size[3];     ///< the root of that part, for these rays; else -1
-  V guard[3];     ///< how near a plane square to the axis must be to be left to the caster; below 0: never
+  V guard[3];           ///< how near a plane square to the axis must be to be left to the caster; below 0: never
   M is_negative[3];
   V start, end;  ///< tau
   V end_error;   ///< four times what the end is off
@@ -96,10 +96,9 @@ HWY_INLINE void set_line(D d, const Frame& frame, const RayArrays& rays, std::si
   const V back = power_of_biased(d, exponent);
   line.direction = {hn::Mul(v.x, scale), hn::Mul(v.y, scale), hn::Mul(v.z, scale)};
   const auto scales = [&](V scaled, V original) { return hn::Eq(hn::Mul(scaled, back), original); };
-  line.valid = hn::And(hn::And(scales(line.direction.x, v.x), scales(line.direction.y, v.y)),
-                       scales(line.direction.z, v.z));
-  line.unit = power_of_biased(
-      d, hn::Sub(hn::Set(bits, static_cast<std::uint64_t>(2046 + frame.exponent)), exponent));
+  line.valid =
+      hn::And(hn::And(scales(line.direction.x, v.x), scales(line.direction.y, v.y)), scales(line.direction.z, v.z));
+  line.unit = power_of_biased(d, hn::Sub(hn::Set(bits, static_cast<std::uint64_t>(2046 + frame.exponent)), exponent));
   line.direction_squared = dot(line.direction, line.direction);
   line.inverse_squared = hn::Div(hn::Set(d, 1.0), line.direction_squared);
 
@@ -127,6 +126,34 @@ HWY_INLINE void set_line(D d, const Frame& frame, const RayArrays& rays, std::si
   line.near_error = hn::Add(hn::Mul(hn::Set(d, 0x1p-53), longest(line.near)), low_error);
 }
 
+/// 1 / v; of zero a number so large that a product with anything but zero is out of the way.
+template <class D>
+HWY_INLINE hn::Vec<D> inverse_of(D d, hn::Vec<D> v) {
+  const hn::Vec<D> least = hn::Set(d, 1e-250);
+  return hn::Div(hn::Set(d, 1.0), hn::IfThenElse(hn::Lt(hn::Abs(v), least), least, v));
+}
+
+/// The line in the axes of the cells.
+template <class D>
+HWY_INLINE void turn_to_cells(D d, const CellData& cells, LineLanes<D>& line) {
+  using V = hn::Vec<D>;
+  line.cell_near = line.near;
+  line.cell_direction = line.direction;
+  for (int axis = 0; axis < 3; ++axis) line.inverse[axis] = line.axis_inverse[axis];
+  if (!cells.is_turned) return;
+  const auto turned = [&](const Triples<V>& v) {
+    const auto row = [&](const Vector& r) {
+      return dot(Triples<V>{hn::Set(d, r.x), hn::Set(d, r.y), hn::Set(d, r.z)}, v);
+    };
+    return Triples<V>{row(cells.axes[0]), row(cells.axes[1]), row(cells.axes[2])};
+  };
+  line.cell_near = turned(line.near);
+  line.cell_direction = turned(line.direction);
+  line.inverse[0] = inverse_of(d, line.cell_direction.x);
+  line.inverse[1] = inverse_of(d, line.cell_direction.y);
+  line.inverse[2] = inverse_of(d, line.cell_direction.z);
+}
+
 /// What walks and tests need besides.
 template <class D>
 HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, std::size_t first, std::size_t count,
@@ -134,16 +161,12 @@ HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, 
   using V = hn::Vec<D>;
   const V zero = hn::Zero(d);
   const V u = hn::Set(d, 0x1p-53);
-  const auto inverse_of = [&](V v) {
-    // Of zero a number so large that a product with anything but zero is out of the way.
-    const V safe = hn::IfThenElse(hn::Lt(hn::Abs(v), hn::Set(d, 1e-250)), hn::Set(d, 1e-250), v);
-    return hn::Div(hn::Set(d, 1.0), safe);
-  };
   const V along[3] = {line.direction.x, line.direction.y, line.direction.z};
   V slack = hn::Set(d, 0x1p-46);
   for (int axis = 0; axis < 3; ++axis) {
-    line.axis_inverse[axis] = inverse_of(along[axis]);
-    line.is_negative[axis] = hn::Lt(along[axis], zero);
+    line.axis_inverse[axis] = inverse_of(d, along[axis]);
+    // By the inverse: what is as good as zero counts as positive throughout.
+    line.is_negative[axis] = hn::Lt(line.axis_inverse[axis], zero);
     const V off = hn::Mul(hn::Mul(hn::Set(d, 96.0), u), hn::Abs(line.axis_inverse[axis]));
     const auto is_loose = hn::Gt(off, hn::Set(d, greatest_slack));
     slack = hn::Max(slack, hn::IfThenZeroElse(is_loose, off));
@@ -161,22 +184,7 @@ HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, 
       line.across_size[axis] = hn::IfThenElse(is_steep, hn::Sqrt(across), hn::Set(d, -1.0));
     }
   }
-  line.cell_near = line.near;
-  line.cell_direction = line.direction;
-  for (int axis = 0; axis < 3; ++axis) line.inverse[axis] = line.axis_inverse[axis];
-  if (cells.is_turned) {
-    const auto turned = [&](const Triples<V>& v) {
-      const auto row = [&](const Vector& r) {
-        return dot(Triples<V>{hn::Set(d, r.x), hn::Set(d, r.y), hn::Set(d, r.z)}, v);
-      };
-      return Triples<V>{row(cells.axes[0]), row(cells.axes[1]), row(cells.axes[2])};
-    };
-    line.cell_near = turned(line.near);
-    line.cell_direction = turned(line.direction);
-    line.inverse[0] = inverse_of(line.cell_direction.x);
-    line.inverse[1] = inverse_of(line.cell_direction.y);
-    line.inverse[2] = inverse_of(line.cell_direction.z);
-  }
+  turn_to_cells(d, cells, line);
   line.start = hn::Neg(line.shift);
   if (rays.whole_line) line.start = hn::Neg(hn::Inf(d));
   line.end = hn::Inf(d);

@@ -14,12 +14,12 @@ struct LaneSurface {
     plane_x,  ///< square to an axis of the frame: c[0] its place, c[1] the sign of its normal
     plane_y,
     plane_z,
-    plane,     ///< c[0..2] normal, c[3] constant, c[4] what its crossings are off times |slope|, c[5] of its value
+    plane,       ///< c[0..2] normal, c[3] constant, c[4] what its crossings are off times |slope|, c[5] of its value
     cylinder_x,  ///< about a line along an axis: c[0..2] center, c[3] radius², c[5] as of a sphere
     cylinder_y,
     cylinder_z,
-    sphere,    ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
-    quadric,   ///< the form about its center, as in Surface
+    sphere,   ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
+    quadric,  ///< the form about its center, as in Surface
     undecided  ///< its doubles decide nothing
   };
 

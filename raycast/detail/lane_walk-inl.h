@@ -60,7 +60,7 @@ class Walk {
       const unsigned signs = signs_of(leader);
       M group = waiting;
       for (unsigned axis = 0; axis < 3; ++axis) {
-        const M negative = hn::Lt(direction(axis), zero);
+        const M negative = hn::Lt(line_.inverse[axis], zero);
         group = ((signs >> axis) & 1) != 0 ? hn::And(group, negative) : hn::AndNot(negative, group);
       }
       waiting = hn::AndNot(group, waiting);
@@ -69,16 +69,13 @@ class Walk {
   }
 
   M flagged() const { return flagged_; }
-  M found() const { return found_; }     ///< the lanes that have an answer but a miss
+  M found() const { return found_; }        ///< the lanes that have an answer but a miss
   M inside() const { return now_inside_; }  ///< of those: that are inside right after
   M started_inside() const { return started_inside_; }
   U slot() const { return slot_; }
-  U rises() const { return rises_; }     ///< not zero: the surface turns positive
+  U rises() const { return rises_; }  ///< not zero: the surface turns positive
 
  private:
-  HWY_INLINE V direction(unsigned axis) const {
-    return axis == 0 ? line_.cell_direction.x : axis == 1 ? line_.cell_direction.y : line_.cell_direction.z;
-  }
   HWY_INLINE V near(unsigned axis) const {
     return axis == 0 ? line_.cell_near.x : axis == 1 ? line_.cell_near.y : line_.cell_near.z;
   }
@@ -88,7 +85,7 @@ class Walk {
     unsigned signs = 0;
     for (unsigned axis = 0; axis < 3; ++axis) {
       HWY_ALIGN double values[16];
-      hn::Store(direction(axis), d, values);
+      hn::Store(line_.inverse[axis], d, values);
       signs |= values[lane] < 0 ? 1u << axis : 0u;
     }
     return signs;

@@ -105,8 +105,8 @@ HWY_INLINE hn::Mask<D> store_faces(D d, const Scene& scene, const CellData& cell
   Triples<hn::Vec<D>> place, normal;
   const auto rises = hn::RebindMask(d, hn::Ne(hn::Load(bits, outcome.rises), hn::Zero(bits)));
   const bool wants_faces = hits.faces.point[0] != nullptr;
-  const auto left = tell_hits(d, scene, cells, line, found, outcome.slots, rises, inside, wants_faces, t, second,
-                              place, normal);
+  const auto left =
+      tell_hits(d, scene, cells, line, found, outcome.slots, rises, inside, wants_faces, t, second, place, normal);
   hn::StoreMaskBits(d, second, outcome.second);
   store_lanes(d, t, hits.faces.t + first, count);
   if (wants_faces) {

@@ -19,7 +19,7 @@ namespace csgcast::detail {
 /// What was found of each ray. Arrays of FaceArrays may be null where they are not wanted, but `state`.
 struct LaneHits {
   FaceArrays faces;
-  std::uint8_t* root = nullptr;         ///< which of the surface's crossings it is (Crossing::root)
+  std::uint8_t* root = nullptr;                ///< which of the surface's crossings it is (Crossing::root)
   std::vector<std::uint32_t>* left = nullptr;  ///< gets the rays that lanes cannot tell all about: nothing told of
                                                ///< them means anything
 };
@@ -37,9 +37,9 @@ struct LaneLists {
     bool rises;
   };
   std::vector<End> ends;
-  std::vector<std::size_t> offsets;        ///< where each ray's ends begin, and the end of the last; rays + 1
-  std::vector<bool> starts_inside;         ///< by ray
-  std::vector<bool> is_flagged;            ///< by ray
+  std::vector<std::size_t> offsets;  ///< where each ray's ends begin, and the end of the last; rays + 1
+  std::vector<bool> starts_inside;   ///< by ray
+  std::vector<bool> is_flagged;      ///< by ray
 };
 
 /// Work done.

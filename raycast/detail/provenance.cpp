@@ -2,6 +2,7 @@
 #include "raycast/detail/provenance.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace csgcast::detail {
@@ -47,6 +48,16 @@ void add_moved(SmallMotion& motion, const Matrix& linear, const std::array<Linea
   }
 }
 
+// Equal for equal transforms: adding zero makes one of the two zeros.
+std::uint64_t hash(std::uint32_t outer, const Transform& transform) {
+  std::uint64_t h = outer;
+  for (const double entry : transform.entry) {
+    h = (h ^ std::bit_cast<std::uint64_t>(entry + 0.0)) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 32;
+  }
+  return h;
+}
+
 std::size_t largest(const FormError& form) {
   const auto less = [](double a, double b) { return std::fabs(a) < std::fabs(b); };
   return static_cast<std::size_t>(std::max_element(form.begin(), form.end(), less) - form.begin());
@@ -54,28 +65,63 @@ std::size_t largest(const FormError& form) {
 
 }  // namespace
 
-Provenance::Provenance() : links_(1) {}
+Provenance::Provenance() : turns_(1), linears_(1), links_(1) {}
 
-Provenance::ChainId Provenance::chain(ChainId outer, const Transform& transform, const ExactAffine& world_from_solid) {
-  const auto [it, is_new] = known_.try_emplace({outer, transform.entry}, static_cast<ChainId>(links_.size()));
-  if (!is_new) return it->second;
-  Link link;
-  link.outer = outer;
-  link.depth = links_[outer].depth + 1;
-  link.transform = transform;
+bool Provenance::is_link(const Link& link, ChainId outer, const Transform& transform) const {
+  if (link.outer != outer) return false;
+  for (std::size_t row = 0; row < 3; ++row) {
+    if (link.own_offset[row] != transform(row, 3)) return false;
+    for (std::size_t column = 0; column < 3; ++column) {
+      if (turns_[link.turn].entry[3 * row + column] != transform(row, column)) return false;
+    }
+  }
+  return true;
+}
+
+// Of a translation: nothing turns, and the whole is that of the chain outside.
+void Provenance::set_linear(Link& link, const Transform& transform, const ExactAffine& world_from_solid) {
+  Turn turn;
+  turn.error = transform.linear_error;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) turn.entry[3 * row + column] = transform(row, column);
+  }
+  if (turn.entry == identity && turn.error == 0) {
+    link.linear = links_[link.outer].linear;
+    return;
+  }
   const Dyadic determinant = world_from_solid.determinant();
   const std::int64_t scale = determinant.is_zero() ? 0 : determinant.magnitude();
   const double scaled_determinant = determinant.scaled(-scale).nearest();
+  Linear linear;
   for (std::size_t row = 0; row < 3; ++row) {
-    link.offset[row] = world_from_solid.offset(row).nearest();
     for (std::size_t column = 0; column < 3; ++column) {
-      link.linear[3 * row + column] = world_from_solid.linear(row, column).nearest();
-      link.inverse[3 * row + column] =
+      linear.forward[3 * row + column] = world_from_solid.linear(row, column).nearest();
+      linear.inverse[3 * row + column] =
           world_from_solid.adjugate(row, column).scaled(-scale).nearest() / scaled_determinant;
     }
   }
+  link.turn = static_cast<std::uint32_t>(turns_.size());
+  turns_.push_back(turn);
+  link.linear = static_cast<std::uint32_t>(linears_.size());
+  linears_.push_back(linear);
+}
+
+Provenance::ChainId Provenance::chain(ChainId outer, const Transform& transform, const ExactAffine& world_from_solid) {
+  // The index counts from the first chain that is not empty.
+  const auto next = static_cast<std::uint32_t>(links_.size() - 1);
+  const std::uint32_t number = by_transform_.find_or_add(
+      hash(outer, transform), next, [&](std::uint32_t other) { return is_link(links_[other + 1], outer, transform); });
+  if (number < next) return number + 1;
+  Link link;
+  link.outer = outer;
+  link.depth = links_[outer].depth + 1;
+  for (std::size_t row = 0; row < 3; ++row) {
+    link.own_offset[row] = transform(row, 3);
+    link.offset[row] = world_from_solid.offset(row).nearest();
+  }
+  set_linear(link, transform, world_from_solid);
   links_.push_back(link);
-  return it->second;
+  return number + 1;
 }
 
 std::uint32_t Provenance::add_leaf(const Solid& solid, ChainId chain, const Box& box) {
@@ -96,11 +142,12 @@ Provenance::ChainId Provenance::common(ChainId a, ChainId b, std::uint64_t& step
 
 Provenance::LocalRegion Provenance::local(const Link& link, const Region& region) const {
   const Vector from = as_vector(region.center) - link.offset;
+  const Matrix& inverse = linears_[link.linear].inverse;
   LocalRegion result{};
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t l = 0; l < 3; ++l) {
-      result.at[k] += link.inverse[3 * k + l] * from[l];
-      result.spread[3 * k + l] = std::ldexp(link.inverse[3 * k + l], region.exponent);
+      result.at[k] += inverse[3 * k + l] * from[l];
+      result.spread[3 * k + l] = std::ldexp(inverse[3 * k + l], region.exponent);
     }
   }
   return result;
@@ -112,18 +159,19 @@ FormError Provenance::error(Source source, const RegionForm& form, const Region&
   SmallMotion motion;
   for (ChainId id = leaf.chain; id != known; id = links_[id].outer) {
     const Link& link = links_[id];
+    const Turn& turn = turns_[link.turn];
     const LocalRegion inside = local(link, region);
     // What this one transform's own numbers may be off, over the points that it moves.
     std::array<LinearForm, 3> off{};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
-        const double entry = u * std::fabs(link.transform(i, j)) + link.transform.linear_error;
+        const double entry = u * std::fabs(turn.entry[3 * i + j]) + turn.error;
         off[i][3] += entry * std::fabs(inside.at[j]);
         for (std::size_t l = 0; l < 3; ++l) off[i][l] += entry * std::fabs(inside.spread[3 * j + l]);
       }
-      off[i][3] += u * std::fabs(link.transform(i, 3));
+      off[i][3] += u * std::fabs(link.own_offset[i]);
     }
-    add_moved(motion, links_[link.outer].linear, off, region.exponent);
+    add_moved(motion, linears_[links_[link.outer].linear].forward, off, region.exponent);
   }
   const Link& innermost = links_[leaf.chain];
   const LocalRegion inside = local(innermost, region);
@@ -133,7 +181,7 @@ FormError Provenance::error(Source source, const RegionForm& form, const Region&
       off[i][3] = u * std::fabs(inside.at[i]);
       for (std::size_t l = 0; l < 3; ++l) off[i][l] = u * std::fabs(inside.spread[3 * i + l]);
     }
-    add_moved(motion, innermost.linear, off, region.exponent);
+    add_moved(motion, linears_[innermost.linear].forward, off, region.exponent);
   }
   FormError sum = error_of(form, motion);
   if (!shape.error.errors.empty()) {
@@ -147,9 +195,10 @@ FormError Provenance::error(Source source, const RegionForm& form, const Region&
 FormError Provenance::shape_error(const LeafShape& shape, std::uint32_t form, const RegionForm& moved,
                                   const LocalRegion& local) const {
   RoundedCoefficients rounded{};
-  round_scaled(shape.forms[form], rounded);
+  const QuadricForm exact = shape.forms[form];
+  round_scaled(exact, rounded);
   const std::size_t largest_term = largest(rounded);
-  const double to_rounded = rounded[largest_term] / shape.forms[form].coefficient[largest_term].nearest();
+  const double to_rounded = rounded[largest_term] / exact.coefficient[largest_term].nearest();
   std::array<LinearForm, 3> q{};
   std::array<LinearForm, 3> from_center{};
   for (std::size_t k = 0; k < 3; ++k) {

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <map>
-#include <utility>
 #include <vector>
 
 #include "csg/exact/affine.h"
 #include "csg/solid.h"
 #include "raycast/detail/coincidence.h"
+#include "raycast/detail/hash_index.h"
 
 namespace csgcast::detail {
 
@@ -32,6 +32,7 @@ class Provenance {
   /// Returns the leaf's index; the leaf's place is the solid's.
   std::uint32_t add_leaf(const Solid& solid, ChainId chain, const Box& box);
 
+  std::size_t leaf_count() const { return leaves_.size(); }
   const Place& place(Source source) const { return leaves_[source.leaf].solid.place(); }
   const Box& box(Source source) const { return leaves_[source.leaf].box; }
   ChainId chain_of(Source source) const { return leaves_[source.leaf].chain; }
@@ -45,14 +46,26 @@ class Provenance {
 
  private:
   using Matrix = std::array<double, 9>;
+  static constexpr Matrix identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  // The linear part of one transform.
+  struct Turn {
+    Matrix entry = identity;
+    double error = 0;
+  };
+  // The linear part of a whole chain and its inverse, in plain double: errors need not be exact.
+  struct Linear {
+    Matrix forward = identity;
+    Matrix inverse = identity;
+  };
+  // A large scene has as many chains as leaves, most of which end with a translation. That changes no linear part, so
+  // these are kept aside, and what a link keeps is small.
   struct Link {
     ChainId outer = 0;
     std::uint32_t depth = 0;
-    Transform transform;
-    // Of the whole chain, in plain double: errors need not be exact.
-    Matrix linear{1, 0, 0, 0, 1, 0, 0, 0, 1};
-    Vector offset;
-    Matrix inverse{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    std::uint32_t turn = 0;    // of its own transform, in turns_
+    std::uint32_t linear = 0;  // of the whole chain, in linears_
+    Vector own_offset;
+    Vector offset;  // of the whole chain
   };
   struct LeafSource {
     Solid solid;
@@ -65,12 +78,16 @@ class Provenance {
     Vector at;
     Matrix spread;
   };
+  bool is_link(const Link& link, ChainId outer, const Transform& transform) const;
+  void set_linear(Link& link, const Transform& transform, const ExactAffine& world_from_solid);
   LocalRegion local(const Link& link, const Region& region) const;
   FormError shape_error(const LeafShape& shape, std::uint32_t form, const RegionForm& moved,
                         const LocalRegion& local) const;
 
-  std::vector<Link> links_;
-  std::map<std::pair<ChainId, std::array<double, 12>>, ChainId> known_;
+  std::vector<Turn> turns_;      // the first is the identity
+  std::vector<Linear> linears_;  // likewise
+  std::vector<Link> links_;      // the first is the empty chain
+  HashIndex by_transform_;       // all others by their outer chain and their own transform
   std::vector<LeafSource> leaves_;
 };
 

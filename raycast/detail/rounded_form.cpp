@@ -22,14 +22,18 @@ bool round_scaled(const QuadricForm& form, RoundedCoefficients& rounded, Rounded
   bool in_range = true;
   if (all_told != nullptr) *all_told = left_over != nullptr;
   for (std::size_t i = 0; i < rounded.size(); ++i) {
-    const Dyadic scaled = form.coefficient[i].scaled(-scale);
-    rounded[i] = scaled.nearest();
-    if (left_over != nullptr) {
-      const Dyadic rest = scaled - Dyadic(rounded[i]);
-      (*left_over)[i] = rest.nearest();
-      if (all_told != nullptr) *all_told = *all_told && Dyadic((*left_over)[i]) == rest;
+    if (form.coefficient[i].is_zero()) {
+      rounded[i] = 0;
+      if (left_over != nullptr) (*left_over)[i] = 0;
+      continue;
     }
-    in_range = in_range && (form.coefficient[i].is_zero() || std::isnormal(rounded[i]));
+    rounded[i] = form.coefficient[i].nearest(-scale);
+    if (left_over != nullptr) {
+      const Dyadic rest = form.coefficient[i] - Dyadic(rounded[i]).scaled(scale);
+      (*left_over)[i] = rest.nearest(-scale);
+      if (all_told != nullptr) *all_told = *all_told && Dyadic((*left_over)[i]).scaled(scale) == rest;
+    }
+    in_range = in_range && std::isnormal(rounded[i]);
   }
   return in_range;
 }

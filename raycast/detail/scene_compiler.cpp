@@ -50,16 +50,37 @@ std::vector<double> look_key(const Material& m) {
 
 }  // namespace
 
-Scene compile(const Solid& solid, const Welding& welding) {
+Scene compile(Solid solid, const Welding& welding) {
   if (welding.mode == Welding::Mode::by_hand &&
       !(welding.tolerance > 0 && welding.tolerance <= Welding::greatest_tolerance)) {
     throw Error(ErrorCode::bad_value, {}, "the tolerance of welding is out of range",
                 "it is a share of the size of the scene, above 0 and at most 1/128", "choose a smaller one, or none");
   }
-  return SceneCompiler(welding).compile(simplified(solid));
+  solid = simplified(solid);
+  return SceneCompiler(welding).compile(std::move(solid));
 }
 
-Scene SceneCompiler::compile(const Solid& solid) {
+Scene SceneCompiler::compile(Solid solid) {
+  flatten(solid);
+  weld();
+  // From here on the scene itself needs the memory.
+  provenance_ = {};
+  solid = {};
+  gather_regions();
+  std::vector<Body>().swap(bodies_);
+  scene_.bounds_ = scene_.node(scene_.root_).box;
+  widen_boxes();
+  scene_.frame_ = csgcast::Frame::around(scene_.bounded_leaves_);
+  scene_.leaves_.shrink_to_fit();
+  scene_.half_spaces_.shrink_to_fit();
+  scene_.nodes_.shrink_to_fit();
+  scene_.children_.shrink_to_fit();
+  scene_.surfaces_ = surfaces_.take(scene_.frame_);
+  return std::move(scene_);
+}
+
+// One walk over the tree, in file order.
+void SceneCompiler::flatten(const Solid& solid) {
   Context outermost;
   outermost.looks = std::make_shared<LookContext>();
   outermost.look = look_id(*outermost.looks);
@@ -74,13 +95,6 @@ Scene SceneCompiler::compile(const Solid& solid) {
     const Context context = child_context(frame);
     visit(children[frame.next++], context);
   }
-  weld();
-  gather_regions();
-  scene_.bounds_ = scene_.node(scene_.root_).box;
-  widen_boxes();
-  scene_.frame_ = csgcast::Frame::around(scene_.bounded_leaves_);
-  scene_.surfaces_ = surfaces_.take(scene_.frame_);
-  return std::move(scene_);
 }
 
 void SceneCompiler::visit(const Solid& solid, const Context& context) {
@@ -227,12 +241,9 @@ bool SceneCompiler::add_half_spaces(const Solid& solid, const Context& context, 
   const std::uint32_t source = keeps_sources ? provenance_.add_leaf(solid, context.chain, box) : 0;
   const auto begin = static_cast<std::ptrdiff_t>(leaf.first);
   for (std::uint32_t i = 0; i < shape.forms.size(); ++i) {
-    const QuadricForm& form = shape.forms[i];
+    const QuadricForm form = shape.forms[i];
     const HalfSpace half_space = surfaces_.half_space(mover ? mover->moved(form) : form, box);
-    if (keeps_sources) {
-      if (surfaces_.size() > sources_.size()) sources_.resize(surfaces_.size());
-      sources_[half_space.surface.index()].push_back({source, i});
-    }
+    if (keeps_sources) ownerships_.push_back({half_space.surface, {source, i}});
     const auto same = std::find_if(scene_.half_spaces_.begin() + begin, scene_.half_spaces_.end(),
                                    [&](const HalfSpace& other) { return other.surface == half_space.surface; });
     if (same == scene_.half_spaces_.end()) {

@@ -16,7 +16,7 @@ namespace csgcast {
 class SceneCompiler {
  public:
   explicit SceneCompiler(const Welding& welding) : welding_(welding) {}
-  Scene compile(const Solid& solid);
+  Scene compile(Solid solid);
 
  private:
   // What the nodes above a node mean for it.
@@ -48,6 +48,12 @@ class SceneCompiler {
     bool transmits;
   };
 
+  // What sorting the children of a wide union takes, side by side.
+  struct UnionChild {
+    NodeId node;
+    Point middle;
+  };
+
   void visit(const Solid& solid, const Context& context);
   void close();
   void deliver(NodeId node, const Context& context, std::uint32_t first_leaf);
@@ -57,6 +63,8 @@ class SceneCompiler {
   bool add_half_spaces(const Solid& solid, const Context& context, Leaf& leaf, const Box& box);
   NodeId add_node(Node::Op op, std::span<const NodeId> children);
   NodeId add_union(std::vector<NodeId> children);
+  NodeId add_hierarchy(std::span<UnionChild> children);
+  static std::size_t longest_axis(std::span<const UnionChild> children);
   NodeId add_subtract(std::span<const NodeId> children);
   Box box_of(Node::Op op, std::span<const NodeId> children) const;
   LookId look_id(const LookContext& looks);
@@ -64,13 +72,19 @@ class SceneCompiler {
   void gather_regions();
   void gather_parts();
   void gather_layers();
+  void flatten(const Solid& solid);
   void weld();
   void replace_surfaces(std::span<const HalfSpace> positive_side);
   void widen_boxes();
 
   Welding welding_;
   detail::Provenance provenance_;
-  std::vector<std::vector<detail::Provenance::Source>> sources_;  // of each surface; only for welding
+  // That a leaf owns a surface, in the order of the leaves; only for welding.
+  struct Ownership {
+    SurfaceId surface;
+    detail::Provenance::Source source;
+  };
+  std::vector<Ownership> ownerships_;
   Scene scene_;
   detail::SurfaceTable surfaces_;
   std::vector<Frame> frames_;

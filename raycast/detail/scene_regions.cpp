@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include "raycast/detail/scene_compiler.h"
 
@@ -23,22 +26,9 @@ bool is_bounded(const Box& box) { return box.is_finite(); }
 
 double middle(const Box& box, std::size_t axis) { return 0.5 * box.lower[axis] + 0.5 * box.upper[axis]; }
 
-std::size_t longest_axis_of_middles(std::span<const NodeId> children, std::span<const Node> nodes) {
-  Vector extent;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::minmax_element(children.begin(), children.end(), [&](NodeId a, NodeId b) {
-      return middle(nodes[a.index()].box, axis) < middle(nodes[b.index()].box, axis);
-    });
-    extent[axis] = middle(nodes[high->index()].box, axis) - middle(nodes[low->index()].box, axis);
-  }
-  if (extent.x >= extent.y && extent.x >= extent.z) return 0;
-  return extent.y >= extent.z ? 1 : 2;
-}
-
 }  // namespace
 
-// A union is the same in any order and grouping: wide ones become a hierarchy, halved along the longest axis, so that
-// boxes cull. Recursive, to the logarithm of the number of children.
+// A union is the same in any order and grouping: wide ones become a hierarchy, so that boxes cull.
 NodeId SceneCompiler::add_union(std::vector<NodeId> children) {
   std::erase_if(children, [&](NodeId child) { return scene_.node(child).op == Node::Op::empty; });
   if (children.empty()) return add_node(Node::Op::empty, {});
@@ -51,14 +41,43 @@ NodeId SceneCompiler::add_union(std::vector<NodeId> children) {
     return add_node(Node::Op::unite, top);
   }
   if (children.size() <= widest_union || unbounded == children.begin()) return add_node(Node::Op::unite, children);
-  const std::size_t axis = longest_axis_of_middles(children, scene_.nodes_);
-  const auto half = children.begin() + static_cast<std::ptrdiff_t>(children.size() / 2);
-  std::nth_element(children.begin(), half, children.end(), [&](NodeId a, NodeId b) {
-    const double at_a = middle(scene_.node(a).box, axis);
-    const double at_b = middle(scene_.node(b).box, axis);
-    return at_a < at_b || (at_a == at_b && a < b);
-  });
-  const std::array<NodeId, 2> halves{add_union({children.begin(), half}), add_union({half, children.end()})};
+  std::vector<UnionChild> hierarchy;
+  hierarchy.reserve(children.size());
+  for (const NodeId child : children) {
+    const Box& box = scene_.node(child).box;
+    hierarchy.push_back({child, {middle(box, 0), middle(box, 1), middle(box, 2)}});
+  }
+  return add_hierarchy(hierarchy);
+}
+
+std::size_t SceneCompiler::longest_axis(std::span<const UnionChild> children) {
+  Point low = children.front().middle, high = low;
+  for (const UnionChild& child : children) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], child.middle[axis]);
+      high[axis] = std::max(high[axis], child.middle[axis]);
+    }
+  }
+  const Vector extent = high - low;
+  if (extent.x >= extent.y && extent.x >= extent.z) return 0;
+  return extent.y >= extent.z ? 1 : 2;
+}
+
+// Halved along the longest axis. Recursive, to the logarithm of the number of children.
+NodeId SceneCompiler::add_hierarchy(std::span<UnionChild> children) {
+  if (children.size() <= widest_union) {
+    std::array<NodeId, widest_union> nodes;
+    std::transform(children.begin(), children.end(), nodes.begin(), [](const UnionChild& child) { return child.node; });
+    return add_node(Node::Op::unite, std::span(nodes).first(children.size()));
+  }
+  const std::size_t axis = longest_axis(children);
+  const std::size_t half = children.size() / 2;
+  std::nth_element(children.begin(), children.begin() + static_cast<std::ptrdiff_t>(half), children.end(),
+                   [axis](const UnionChild& a, const UnionChild& b) {
+                     const double at_a = a.middle[axis], at_b = b.middle[axis];
+                     return at_a < at_b || (at_a == at_b && a.node < b.node);
+                   });
+  const std::array<NodeId, 2> halves{add_hierarchy(children.first(half)), add_hierarchy(children.subspan(half))};
   return add_node(Node::Op::unite, halves);
 }
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <vector>
 
 #include "raycast/detail/scene_compiler.h"
 
@@ -9,11 +13,19 @@ namespace csgcast {
 
 void SceneCompiler::weld() {
   if (welding_.mode == Welding::Mode::off || surfaces_.size() == 0) return;
+  // The leaves that own a surface, surface by surface: end[i] is where those of surface i end.
+  std::vector<std::size_t> end(surfaces_.size());
+  for (const Ownership& owned : ownerships_) ++end[owned.surface.index()];
+  std::exclusive_scan(end.begin(), end.end(), end.begin(), std::size_t{0});
+  std::vector<detail::Provenance::Source> sources(ownerships_.size());
+  for (const Ownership& owned : ownerships_) sources[end[owned.surface.index()]++] = owned.source;
+  std::vector<Ownership>().swap(ownerships_);
   std::vector<detail::Welder::Candidate> candidates;
   candidates.reserve(surfaces_.size());
-  for (std::uint32_t i = 0; i < surfaces_.size(); ++i)
-    candidates.push_back({&surfaces_.form(SurfaceId(i)), std::move(sources_[i])});
-  sources_.clear();
+  for (std::uint32_t i = 0; i < surfaces_.size(); ++i) {
+    const std::size_t begin = i == 0 ? 0 : end[i - 1];
+    candidates.push_back({&surfaces_.form(SurfaceId(i)), std::span(sources).subspan(begin, end[i] - begin)});
+  }
   // A solid of unbounded leaves alone may be bounded itself.
   Box everything = scene_.bounded_leaves_;
   if (everything.is_null()) {

@@ -2,27 +2,27 @@
 #include "raycast/detail/surface_table.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace csgcast::detail {
 namespace {
 
-std::size_t hash(const QuadricForm& form) {
-  std::size_t h = 0;
-  for (const Dyadic& c : form.coefficient) {
-    h = (h ^ c.hash()) * 0x9e3779b97f4a7c15u;
-    h ^= h >> 29;
+Point middle_of(const Box& leaf) {
+  Point p;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double low = leaf.lower[axis];
+    const double high = leaf.upper[axis];
+    const bool has_middle = std::isfinite(low) && std::isfinite(high);
+    p[axis] = has_middle ? low + 0.5 * (high - low) : std::numeric_limits<double>::quiet_NaN();
   }
-  return h;
+  return p;
 }
 
-// The middle of the box; the frame's center on the axes along which it is infinite.
-Point point_near(const Box& box, const Frame& frame) {
-  Point p = frame.center;
+// The frame's center takes the place of what is not known.
+Point completed(Point p, const Frame& frame) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double low = box.lower[axis];
-    const double high = box.upper[axis];
-    if (std::isfinite(low) && std::isfinite(high)) p[axis] = low + 0.5 * (high - low);
+    if (std::isnan(p[axis])) p[axis] = frame.center[axis];
   }
   return is_finite(p) ? p : frame.center;
 }
@@ -30,20 +30,18 @@ Point point_near(const Box& box, const Frame& frame) {
 }  // namespace
 
 HalfSpace SurfaceTable::half_space(const QuadricForm& f, const Box& leaf) {
-  CanonicalForm canonical_form = canonical(f);
+  const CanonicalForm canonical_form = canonical(f);
   const Sense sense = canonical_form.flipped ? Sense::positive : Sense::negative;
-  const std::size_t h = hash(canonical_form.form);
-  const auto [first, last] = by_hash_.equal_range(h);
-  for (auto it = first; it != last; ++it) {
-    Entry& known = entries_[it->second.index()];
-    if (known.form != canonical_form.form) continue;
-    known.is_local = known.is_local && leaf.is_finite();
-    return {it->second, sense};
+  PackedForm form(canonical_form.form);
+  const auto next = static_cast<std::uint32_t>(entries_.size());
+  const std::uint32_t number =
+      by_form_.find_or_add(form.hash(), next, [&](std::uint32_t other) { return entries_[other].form == form; });
+  if (number == next) {
+    entries_.push_back({std::move(form), middle_of(leaf), leaf.is_finite()});
+  } else {
+    entries_[number].is_local = entries_[number].is_local && leaf.is_finite();
   }
-  const SurfaceId id(static_cast<std::uint32_t>(entries_.size()));
-  entries_.push_back({std::move(canonical_form.form), leaf, leaf.is_finite()});
-  by_hash_.emplace(h, id);
-  return {id, sense};
+  return {SurfaceId(number), sense};
 }
 
 std::vector<HalfSpace> SurfaceTable::merge(std::span<const Replacement> replacements) {
@@ -55,7 +53,7 @@ std::vector<HalfSpace> SurfaceTable::merge(std::span<const Replacement> replacem
     SurfaceId& id = id_of[surface];
     if (!id.valid()) {
       id = SurfaceId(static_cast<std::uint32_t>(merged.size()));
-      merged.push_back({{}, entries_[surface].leaf, true});
+      merged.push_back({{}, entries_[surface].near, true});
     }
     merged[id.index()].is_local = merged[id.index()].is_local && entries_[i].is_local;
     now[i] = {id, flipped ? Sense::negative : Sense::positive};
@@ -64,17 +62,17 @@ std::vector<HalfSpace> SurfaceTable::merge(std::span<const Replacement> replacem
     if (replacements[i].surface == i) merged[id_of[i].index()].form = std::move(entries_[i].form);
   }
   entries_ = std::move(merged);
-  by_hash_.clear();
+  by_form_.clear();
   return now;
 }
 
 std::vector<Surface> SurfaceTable::take(const Frame& frame) {
+  by_form_.clear();
   std::vector<Surface> surfaces;
   surfaces.reserve(entries_.size());
   for (Entry& entry : entries_)
-    surfaces.push_back(make_surface(std::move(entry.form), frame, point_near(entry.leaf, frame), entry.is_local));
-  entries_.clear();
-  by_hash_.clear();
+    surfaces.push_back(make_surface(std::move(entry.form), frame, completed(entry.near, frame), entry.is_local));
+  *this = SurfaceTable();
   return surfaces;
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <span>
-#include <unordered_map>
 #include <vector>
 
-#include "csg/exact/quadric_form.h"
+#include "csg/exact/packed_form.h"
+#include "raycast/detail/hash_index.h"
 #include "raycast/detail/welder.h"
 #include "raycast/scene.h"
 #include "raycast/surface.h"
@@ -20,7 +20,7 @@ class SurfaceTable {
   HalfSpace half_space(const QuadricForm& f, const Box& leaf);
 
   std::size_t size() const { return entries_.size(); }
-  const QuadricForm& form(SurfaceId id) const { return entries_[id.index()].form; }
+  const PackedForm& form(SurfaceId id) const { return entries_[id.index()].form; }
 
   /// Makes surfaces one: each becomes replacements[id], which is itself or one that stays. Ids close up in the order of
   /// first appearance. Returns what the positive side of each old surface is now.
@@ -31,12 +31,12 @@ class SurfaceTable {
 
  private:
   struct Entry {
-    QuadricForm form;
-    Box leaf;       // of one leaf that owns the surface
+    PackedForm form;
+    Point near;     // the middle of one leaf that owns the surface; NaN along an axis that the leaf has no end on
     bool is_local;  // all such leaves are bounded
   };
   std::vector<Entry> entries_;
-  std::unordered_multimap<std::size_t, SurfaceId> by_hash_;
+  HashIndex by_form_;
 };
 
 }  // namespace csgcast::detail

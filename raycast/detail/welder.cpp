@@ -44,6 +44,13 @@ void count(std::span<const Replacement> replacements, WeldReport& report) {
 
 }  // namespace
 
+// The canonical forms decide, so the order of the file does not matter.
+bool Welder::precedes(const Surface& a, const Surface& b) {
+  if (a.bits != b.bits) return a.bits < b.bits;
+  return std::lexicographical_compare(a.form.coefficient.begin(), a.form.coefficient.end(), b.form.coefficient.begin(),
+                                      b.form.coefficient.end());
+}
+
 // Without a size any center will do for what rounding explains.
 Welder::Welder(const Provenance& provenance, const Welding& welding, const Box& everything)
     : provenance_(provenance),
@@ -53,19 +60,8 @@ Welder::Welder(const Provenance& provenance, const Welding& welding, const Box& 
       region_(Region::around(everything_)),
       tolerance_(has_size_ ? welding.tolerance * length(everything.size()) : 0) {}
 
-// The canonical forms decide, so the order of the file does not matter.
-bool Welder::precedes(std::uint32_t a, std::uint32_t b) const {
-  const Surface& x = surfaces_[a];
-  const Surface& y = surfaces_[b];
-  if (x.bits != y.bits) return x.bits < y.bits;
-  return std::lexicographical_compare(x.form->coefficient.begin(), x.form->coefficient.end(),
-                                      y.form->coefficient.begin(), y.form->coefficient.end());
-}
-
-// Of the sources with one chain of transforms the one known best, and of these the best: if any of them tells two
-// surfaces apart, they are. Returns the error of the one known worst, by which near surfaces are found.
-FormError Welder::keep_best_known(Surface& surface, const Candidate& candidate, const RegionForm& form) {
-  std::map<Provenance::ChainId, std::pair<double, Provenance::Source>> best;
+// The error of the source known worst, by which near surfaces are found.
+FormError Welder::worst_known(const Candidate& candidate, const RegionForm& form) const {
   FormError worst{};
   double most = -1;
   for (const Provenance::Source source : candidate.sources) {
@@ -73,6 +69,16 @@ FormError Welder::keep_best_known(Surface& surface, const Candidate& candidate, 
     const double sum = total(error);
     if (sum > most || std::isnan(sum)) worst = error;
     most = std::fmax(most, sum);
+  }
+  return worst;
+}
+
+// Of the sources with one chain of transforms the one known best, and of these the best: if any of them tells two
+// surfaces apart, they are.
+std::vector<Provenance::Source> Welder::best_known(const Candidate& candidate, const RegionForm& form) const {
+  std::map<Provenance::ChainId, std::pair<double, Provenance::Source>> best;
+  for (const Provenance::Source source : candidate.sources) {
+    const double sum = total(provenance_.error(source, form, region_, 0));
     const auto [it, is_new] = best.try_emplace(provenance_.chain_of(source), sum, source);
     if (!is_new && sum < it->second.first) it->second = {sum, source};
   }
@@ -80,47 +86,58 @@ FormError Welder::keep_best_known(Surface& surface, const Candidate& candidate, 
   sorted.reserve(best.size());
   for (const auto& [chain, known] : best) sorted.push_back(known);
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Provenance::Source> sources;
   for (const auto& [sum, source] : sorted) {
-    if (surface.sources.size() == most_chains) break;
-    surface.sources.push_back(source);
+    if (sources.size() == most_chains) break;
+    sources.push_back(source);
   }
-  return worst;
+  return sources;
 }
 
-void Welder::collect(std::span<const Candidate> candidates) {
-  for (const Candidate& candidate : candidates) {
-    Surface surface;
-    surface.form = candidate.form;
-    surface.bits = bits_of(*candidate.form);
-    for (const Provenance::Source source : candidate.sources)
-      surface.box = hull(surface.box, intersection(provenance_.box(source), everything_));
-    if (!surface.box.is_finite()) surface.box = everything_;
-    surfaces_.push_back(std::move(surface));
-  }
+Welder::Surface Welder::described(std::uint32_t number) const {
+  const Candidate& candidate = candidates_[number];
+  Surface surface;
+  surface.number = number;
+  surface.form = candidate.form->unpacked();
+  surface.sources = best_known(candidate, RegionForm(surface.form, region_));
+  surface.bits = bits_of(surface.form);
+  for (const Provenance::Source source : candidate.sources)
+    surface.box = hull(surface.box, intersection(provenance_.box(source), everything_));
+  if (!surface.box.is_finite()) surface.box = everything_;
+  return surface;
 }
 
-Grouping::Groups Welder::groups_by_rounding(std::span<const Candidate> candidates) {
-  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-    const RegionForm form(*candidates[i].form, region_);
-    near_.add(i, form, keep_best_known(surfaces_[i], candidates[i], form));
+std::vector<RegionForm> Welder::region_forms() const {
+  std::vector<RegionForm> forms;
+  forms.reserve(candidates_.size());
+  for (const Candidate& candidate : candidates_) forms.emplace_back(candidate.form->unpacked(), region_);
+  return forms;
+}
+
+Grouping::Groups Welder::groups_by_rounding() {
+  for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
+    const RegionForm form(candidates_[i].form->unpacked(), region_);
+    near_.add(i, form, worst_known(candidates_[i], form));
   }
   return near_.groups();
 }
 
 // Leaves with the surfaces that are left; `one_source` gets a source of each leaf, for its place.
-std::vector<LeafFaces> Welder::faces(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
+std::vector<LeafFaces> Welder::faces(std::span<const Replacement> replacements,
                                      std::vector<Provenance::Source>& one_source) const {
-  std::map<std::uint32_t, std::uint32_t> place_of;
+  constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<std::uint32_t> place_of(provenance_.leaf_count(), none);
   std::vector<LeafFaces> leaves;
-  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-    for (const Provenance::Source source : candidates[i].sources) {
-      const auto [it, is_new] = place_of.try_emplace(source.leaf, static_cast<std::uint32_t>(leaves.size()));
-      if (is_new) {
+  for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
+    for (const Provenance::Source source : candidates_[i].sources) {
+      std::uint32_t& place = place_of[source.leaf];
+      if (place == none) {
+        place = static_cast<std::uint32_t>(leaves.size());
         const Box box = intersection(provenance_.box(source), everything_);
         leaves.push_back({box.is_finite() ? box : everything_, {}});
         one_source.push_back(source);
       }
-      std::vector<std::uint32_t>& surfaces = leaves[it->second].surfaces;
+      std::vector<std::uint32_t>& surfaces = leaves[place].surfaces;
       const std::uint32_t now = replacements[i].surface;
       if (std::find(surfaces.begin(), surfaces.end(), now) == surfaces.end()) surfaces.push_back(now);
     }
@@ -128,13 +145,11 @@ std::vector<LeafFaces> Welder::faces(std::span<const Candidate> candidates, std:
   return leaves;
 }
 
-Grouping::Groups Welder::groups_by_hand(std::span<const Candidate> candidates,
-                                        std::span<const Replacement> replacements, WeldReport& report) {
-  std::vector<RegionForm> forms;
-  for (const Candidate& candidate : candidates) forms.emplace_back(*candidate.form, region_);
-  Grouping grouping(candidates.size());
+Grouping::Groups Welder::groups_by_hand(std::span<const Replacement> replacements, WeldReport& report) {
+  const std::vector<RegionForm> forms = region_forms();
+  Grouping grouping(candidates_.size());
   std::vector<Provenance::Source> one_source;
-  const std::vector<LeafFaces> leaves = faces(candidates, replacements, one_source);
+  const std::vector<LeafFaces> leaves = faces(replacements, one_source);
   NearFaces search(forms, region_, tolerance_);
   const bool whole = search.search(leaves, 4 * most_work_, [&grouping](const NearFaces::Pair& pair) {
     grouping.join(pair.a, pair.b);
@@ -147,8 +162,8 @@ Grouping::Groups Welder::groups_by_hand(std::span<const Candidate> candidates,
 // In errors, or in tolerances: at most 1 for one surface.
 double Welder::distance(const Member& a, const Member& b, const Region& region) {
   ++work_;
-  const Surface& f = surfaces_[a.surface];
-  const Surface& g = surfaces_[b.surface];
+  const Surface& f = *a.surface;
+  const Surface& g = *b.surface;
   if (by_hand_) return gap(a.form, b.form, region, hull(f.box, g.box)) / tolerance_;
   double most = 0;
   for (const Provenance::Source from : f.sources) {
@@ -165,14 +180,15 @@ double Welder::distance(const Member& a, const Member& b, const Region& region) 
 std::vector<Replacement> Welder::run(std::span<const Candidate> candidates, WeldReport& report) {
   report.size = has_size_ ? length(everything_.size()) : 0;
   most_work_ = most_work_each * candidates.size() + least_work;
-  collect(candidates);
+  candidates_ = candidates;
   std::vector<Replacement> replacements;
+  replacements.reserve(candidates.size());
   for (std::uint32_t i = 0; i < candidates.size(); ++i) replacements.push_back({i});
-  weld_groups(groups_by_rounding(candidates), replacements, report);
+  weld_groups(groups_by_rounding(), replacements, report);
   if (welding_.mode == Welding::Mode::by_hand && has_size_) {
     by_hand_ = true;
     work_ = 0;
-    weld_groups(groups_by_hand(candidates, replacements, report), replacements, report);
+    weld_groups(groups_by_hand(replacements, report), replacements, report);
   }
   // What took others in may have been taken in itself, by hand.
   for (Replacement& replacement : replacements) {
@@ -180,45 +196,49 @@ std::vector<Replacement> Welder::run(std::span<const Candidate> candidates, Weld
     replacement = {next.surface, replacement.flipped != next.flipped};
   }
   count(replacements, report);
-  if (welding_.lists_near_misses && has_size_) list_near_misses(candidates, replacements, report);
+  if (welding_.lists_near_misses && has_size_) list_near_misses(replacements, report);
   return replacements;
 }
 
-void Welder::weld_groups(Grouping::Groups groups, std::vector<Replacement>& replacements, WeldReport& report) {
-  for (std::vector<std::uint32_t>& group : groups) weld_group(std::move(group), replacements, report);
+void Welder::weld_groups(const Grouping::Groups& groups, std::vector<Replacement>& replacements, WeldReport& report) {
+  for (const std::vector<std::uint32_t>& group : groups) weld_group(group, replacements, report);
 }
 
-void Welder::weld_group(std::vector<std::uint32_t> group, std::vector<Replacement>& replacements, WeldReport& report) {
-  std::sort(group.begin(), group.end(), [this](std::uint32_t a, std::uint32_t b) { return precedes(a, b); });
+void Welder::weld_group(std::span<const std::uint32_t> numbers, std::vector<Replacement>& replacements,
+                        WeldReport& report) {
+  std::vector<Surface> group;
+  group.reserve(numbers.size());
+  for (const std::uint32_t number : numbers) group.push_back(described(number));
+  std::sort(group.begin(), group.end(), precedes);
   std::vector<bool> is_done(group.size());
   for (std::size_t i = 0; i < group.size(); ++i) {
     if (is_done[i]) continue;
-    const Region region = Region::around(surfaces_[group[i]].box);
+    const Region region = Region::around(group[i].box);
     if (!region.is_resolved()) continue;
-    const Member leader{group[i], RegionForm(*surfaces_[group[i]].form, region), 0};
+    const Member leader{&group[i], RegionForm(group[i].form, region), 0};
     std::vector<Member> members;
     for (std::size_t j = i + 1; j < group.size(); ++j) {
       work_ += j % 64 == 0 ? 1 : 0;
-      if (is_done[j] || (!by_hand_ && !near_.overlap(group[i], group[j]))) continue;
+      if (is_done[j] || (!by_hand_ && !near_.overlap(group[i].number, group[j].number))) continue;
       if (work_ > most_work_) {
         report.incomplete = true;
         return;
       }
-      Member member{group[j], RegionForm(*surfaces_[group[j]].form, region), 0};
+      Member member{&group[j], RegionForm(group[j].form, region), 0};
       member.distance = distance(leader, member, region);
       if (member.distance <= border) members.push_back(std::move(member));
     }
     gather(leader, region, std::move(members), replacements, report);
     for (std::size_t j = i + 1; j < group.size(); ++j)
-      is_done[j] = is_done[j] || replacements[group[j]].surface != group[j];
+      is_done[j] = is_done[j] || replacements[group[j].number].surface != group[j].number;
   }
 }
 
 // Takes members in, nearest first, that could also coincide with each other.
 void Welder::gather(const Member& leader, const Region& region, std::vector<Member> members,
                     std::vector<Replacement>& replacements, WeldReport& report) {
-  std::sort(members.begin(), members.end(), [this](const Member& a, const Member& b) {
-    return a.distance != b.distance ? a.distance < b.distance : precedes(a.surface, b.surface);
+  std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) {
+    return a.distance != b.distance ? a.distance < b.distance : precedes(*a.surface, *b.surface);
   });
   std::vector<const Member*> taken;
   for (const Member& member : members) {
@@ -227,18 +247,16 @@ void Welder::gather(const Member& leader, const Region& region, std::vector<Memb
                                   [&](const Member* other) { return distance(*other, member, region) <= border; });
     if (!fits) continue;
     taken.push_back(&member);
-    replacements[member.surface] = {leader.surface, is_flipped(leader.form, member.form)};
-    const double moved = gap(leader.form, member.form, region, surfaces_[member.surface].box);
+    replacements[member.surface->number] = {leader.surface->number, is_flipped(leader.form, member.form)};
+    const double moved = gap(leader.form, member.form, region, member.surface->box);
     report.widest = std::fmax(report.widest, moved);
   }
 }
 
-void Welder::list_near_misses(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
-                              WeldReport& report) {
-  std::vector<RegionForm> forms;
-  for (const Candidate& candidate : candidates) forms.emplace_back(*candidate.form, region_);
+void Welder::list_near_misses(std::span<const Replacement> replacements, WeldReport& report) {
+  const std::vector<RegionForm> forms = region_forms();
   std::vector<Provenance::Source> one_source;
-  const std::vector<LeafFaces> leaves = faces(candidates, replacements, one_source);
+  const std::vector<LeafFaces> leaves = faces(replacements, one_source);
   // The faces of one leaf are no miss: it was made like that.
   std::map<std::pair<std::uint32_t, std::uint32_t>, NearMiss> nearest;
   const auto note = [&](const NearFaces::Pair& pair) {

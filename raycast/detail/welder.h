@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "csg/exact/packed_form.h"
 #include "raycast/detail/near_faces.h"
 #include "raycast/detail/near_pairs.h"
 #include "raycast/detail/provenance.h"
@@ -26,8 +27,8 @@ class Welder {
  public:
   /// A surface and the leaves that own it.
   struct Candidate {
-    const QuadricForm* form;
-    std::vector<Provenance::Source> sources;
+    const PackedForm* form;
+    std::span<const Provenance::Source> sources;
   };
 
   /// `everything` holds all bounded leaves; null if the scene has no size.
@@ -37,34 +38,36 @@ class Welder {
   std::vector<Replacement> run(std::span<const Candidate> candidates, WeldReport& report);
 
  private:
+  // One surface of a group.
   struct Surface {
-    const QuadricForm* form = nullptr;
+    std::uint32_t number = 0;
+    QuadricForm form;
     std::vector<Provenance::Source> sources;  // one for each chain of transforms, those known best
     Box box;                                  // of all leaves that own it, as far as it is finite
     std::size_t bits = 0;
   };
-  // A surface at a place, while it is compared.
+  // It at a place, while it is compared.
   struct Member {
-    std::uint32_t surface;
+    const Surface* surface;
     RegionForm form;
     double distance;
   };
 
-  void collect(std::span<const Candidate> candidates);
-  FormError keep_best_known(Surface& surface, const Candidate& candidate, const RegionForm& form);
-  Grouping::Groups groups_by_rounding(std::span<const Candidate> candidates);
-  Grouping::Groups groups_by_hand(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
-                                  WeldReport& report);
-  std::vector<LeafFaces> faces(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
+  FormError worst_known(const Candidate& candidate, const RegionForm& form) const;
+  std::vector<Provenance::Source> best_known(const Candidate& candidate, const RegionForm& form) const;
+  Surface described(std::uint32_t number) const;
+  std::vector<RegionForm> region_forms() const;
+  Grouping::Groups groups_by_rounding();
+  Grouping::Groups groups_by_hand(std::span<const Replacement> replacements, WeldReport& report);
+  std::vector<LeafFaces> faces(std::span<const Replacement> replacements,
                                std::vector<Provenance::Source>& one_source) const;
   double distance(const Member& a, const Member& b, const Region& region);
-  void weld_groups(Grouping::Groups groups, std::vector<Replacement>& replacements, WeldReport& report);
-  void weld_group(std::vector<std::uint32_t> group, std::vector<Replacement>& replacements, WeldReport& report);
+  void weld_groups(const Grouping::Groups& groups, std::vector<Replacement>& replacements, WeldReport& report);
+  void weld_group(std::span<const std::uint32_t> numbers, std::vector<Replacement>& replacements, WeldReport& report);
   void gather(const Member& leader, const Region& region, std::vector<Member> members,
               std::vector<Replacement>& replacements, WeldReport& report);
-  void list_near_misses(std::span<const Candidate> candidates, std::span<const Replacement> replacements,
-                        WeldReport& report);
-  bool precedes(std::uint32_t a, std::uint32_t b) const;
+  static bool precedes(const Surface& a, const Surface& b);
+  void list_near_misses(std::span<const Replacement> replacements, WeldReport& report);
 
   const Provenance& provenance_;
   Welding welding_;
@@ -73,7 +76,7 @@ class Welder {
   Region region_;
   bool by_hand_ = false;  // what distance() goes by now
   double tolerance_ = 0;  // of by_hand, in the scene's unit of length
-  std::vector<Surface> surfaces_;
+  std::span<const Candidate> candidates_;
   NearPairs near_;
   std::uint64_t work_ = 0;
   std::uint64_t most_work_ = 0;

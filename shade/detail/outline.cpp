@@ -20,7 +20,8 @@ Outline::Outline(const CameraFrame& camera, const Box& box) {
   std::vector<Place> places;
   for (unsigned corner = 0; corner < 8; ++corner) {
     Point p;
-    for (std::size_t axis = 0; axis < 3; ++axis) p[axis] = ((corner >> axis) & 1u) != 0 ? box.upper[axis] : box.lower[axis];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      p[axis] = ((corner >> axis) & 1u) != 0 ? box.upper[axis] : box.lower[axis];
     const Vector v = p - camera.eye;
     const double depth = camera.parallel ? 1 : dot(v, camera.forward);
     if (!camera.parallel && !(depth > least_depth * length(v))) is_everywhere_ = true;

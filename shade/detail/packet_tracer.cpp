@@ -32,8 +32,7 @@ RenderReport PacketTracer::report() const {
 void PacketTracer::resize(std::size_t count) {
   if (t_.size() >= count) return;
   constexpr std::size_t more = 8;  // stores of whole registers reach beyond
-  for (Vectors* vectors :
-       {&origin_, &direction_, &point_, &normal_, &color_, &shadow_origin_, &path_, &light_}) {
+  for (Vectors* vectors : {&origin_, &direction_, &point_, &normal_, &color_, &shadow_origin_, &path_, &light_}) {
     for (Numbers& numbers : *vectors) numbers.resize(count + more);
   }
   for (auto* list : {&surface_, &look_, &sample_, &departure_}) list->resize(count);

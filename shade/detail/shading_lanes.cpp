@@ -29,8 +29,8 @@ using Tag = hn::CappedTag<double, 8>;
 using V = hn::Vec<Tag>;
 using M = hn::Mask<Tag>;
 
-void camera_rays(const CameraFrame& camera, std::size_t count, const double* x, const double* y,
-                 double* const* origin, double* const* direction) {
+void camera_rays(const CameraFrame& camera, std::size_t count, const double* x, const double* y, double* const* origin,
+                 double* const* direction) {
   const Tag d;
   const Triples<V> right = in_all_lanes(d, camera.right);
   const Triples<V> up = in_all_lanes(d, camera.up);
@@ -173,8 +173,7 @@ HWY_INLINE unsigned bits_of(M lanes) {
   return bits[0];
 }
 
-void light(const Material* looks, const LightDescription& description, const ShadingPoints& points,
-           ShadowRays& rays) {
+void light(const Material* looks, const LightDescription& description, const ShadingPoints& points, ShadowRays& rays) {
   const Tag d;
   const V zero = hn::Zero(d);
   rays.count = 0;

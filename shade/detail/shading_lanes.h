@@ -19,8 +19,8 @@ struct ShadingPoints {
   std::size_t count = 0;
   const std::uint8_t* is_plain = nullptr;  ///< 1 for those to be shaded: an opaque face seen from outside
   const double* point[3] = {};
-  const double* normal[3] = {};            ///< unit, out of the solid
-  const double* direction[3] = {};         ///< of the rays that see them, unit
+  const double* normal[3] = {};     ///< unit, out of the solid
+  const double* direction[3] = {};  ///< of the rays that see them, unit
   const std::uint32_t* look = nullptr;
 };
 
@@ -31,9 +31,9 @@ struct ShadowRays {
   std::uint64_t facing_away = 0;     ///< samples without one: the light is behind the surface
   std::uint64_t without_effect = 0;  ///< it would add nothing
   double* origin[3] = {};
-  double* path[3] = {};              ///< towards the light (Illumination::path)
+  double* path[3] = {};  ///< towards the light (Illumination::path)
   double* light[3] = {};
-  std::uint32_t* sample = nullptr;   ///< whose ray it is
+  std::uint32_t* sample = nullptr;  ///< whose ray it is
 };
 
 struct ShadingCode {

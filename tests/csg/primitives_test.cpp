@@ -23,7 +23,7 @@ int side(const Solid& solid, Point p) {
   return result;
 }
 
-CanonicalForm surface(const Solid& solid, std::size_t index = 0) { return canonical(solid.shape().forms.at(index)); }
+CanonicalForm surface(const Solid& solid, std::size_t index = 0) { return canonical(solid.shape().forms[index]); }
 
 }  // namespace
 

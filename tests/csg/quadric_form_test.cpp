@@ -120,6 +120,17 @@ TEST_CASE("a canonical form has coprime integers and a positive leading coeffici
   CHECK(c.form == QuadricForm::plane(1.0, -2.0, {}, -4.0));
 }
 
+TEST_CASE("a negative leading coefficient flips the form, however many bits it has") {
+  const Dyadic odd = Dyadic(0x1.fffffffffffffp0);
+  Dyadic leading(-3.0);
+  for (int i = 0; i < 6; ++i, leading *= odd) {
+    const CanonicalForm c = canonical(QuadricForm::plane(leading, odd, {}, 1.0));
+    CHECK(c.flipped);
+    CHECK(c.form.coefficient[QuadricForm::x].sign() == 1);
+    CHECK(c.form == canonical(QuadricForm::plane(-leading, -odd, {}, -1.0)).form);
+  }
+}
+
 TEST_CASE("scaling a cube by two gives the surfaces of a cube of twice the size") {
   const FormMover mover(ExactAffine(scaling({2, 2, 2})));
   const Solid small = box({1, 1, 1}), large = box({2, 2, 2});

@@ -16,7 +16,7 @@ Box bounds_of(std::string_view text) { return bounds(solid_of(text)); }
 /// The words of the only leaf below transforms and looks.
 std::string leaf_kind(Solid solid) {
   while (solid.kind() != Kind::leaf && !solid.children().empty()) solid = Solid(solid.children()[0]);
-  return solid.kind() == Kind::leaf ? solid.shape().kind : "";
+  return solid.kind() == Kind::leaf ? word(solid.shape().kind) : "";
 }
 
 /// The warnings of a text, one a line.

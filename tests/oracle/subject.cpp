@@ -11,7 +11,7 @@ namespace {
 
 // The product's integers as they stand: they must be the primitive ones, not only proportional.
 RationalPlane plane_of(const Surface& surface) {
-  const auto& c = surface.exact.coefficient;
+  const auto c = surface.exact.unpacked().coefficient;
   return {{rational(c[QuadricForm::x]), rational(c[QuadricForm::y]), rational(c[QuadricForm::z]),
            rational(c[QuadricForm::one])}};
 }

@@ -12,7 +12,7 @@ namespace csgcast::stress {
 
 /// What comparing the engines with the exact stage brought, over trials of one family.
 struct FamilyOutcome {
-  verify::Tally tally;  ///< of the first engine, the definition; `wrong` of all together
+  verify::Tally tally;               ///< of the first engine, the definition; `wrong` of all together
   std::uint64_t left_to_caster = 0;  ///< rays that the widest lanes could not decide
   std::uint64_t trials = 0;
   std::vector<std::string> differences;  ///< one line each, with the trial's seed and the ray in hexadecimal

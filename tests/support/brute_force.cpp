@@ -54,7 +54,7 @@ class Definition {
 
  private:
   void add_surface(SurfaceId id, const Ray& ray) {
-    const auto& c = scene_.surface(id).exact.coefficient;
+    const auto c = scene_.surface(id).exact.unpacked().coefficient;
     mpq_class slope = 0;
     mpq_class value = fraction(c[Form::one]);
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -9,9 +9,10 @@ namespace {
 
 // The axis that a plane is square to, if any.
 std::optional<std::size_t> axis_of(const Surface& plane) {
+  const QuadricForm form = plane.exact.unpacked();
   std::optional<std::size_t> axis;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (plane.exact.coefficient[QuadricForm::x + k].is_zero()) continue;
+    if (form.coefficient[QuadricForm::x + k].is_zero()) continue;
     if (axis) return std::nullopt;
     axis = k;
   }

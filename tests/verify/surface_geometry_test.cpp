@@ -26,12 +26,13 @@ SurfaceId the_quadric(const Scene& scene) {
 
 // f divided by the length of its gradient: how far from the surface a point is, nearly.
 double distance(const Surface& surface, Point p) {
-  const auto& c = surface.exact.coefficient;
+  const QuadricForm form = surface.exact.unpacked();
+  const auto& c = form.coefficient;
   const double slope =
       length(Vector{(Dyadic(2.0) * c[0] * Dyadic(p.x) + c[3] * Dyadic(p.y) + c[4] * Dyadic(p.z) + c[6]).nearest(),
                     (Dyadic(2.0) * c[1] * Dyadic(p.y) + c[3] * Dyadic(p.x) + c[5] * Dyadic(p.z) + c[7]).nearest(),
                     (Dyadic(2.0) * c[2] * Dyadic(p.z) + c[4] * Dyadic(p.x) + c[5] * Dyadic(p.y) + c[8]).nearest()});
-  return std::fabs(surface.exact.at(p).nearest()) / slope;
+  return std::fabs(form.at(p).nearest()) / slope;
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ bool counts_as_undef(const Value& value) {
   return std::holds_alternative<Undef>(value.data) || std::holds_alternative<Value::Word>(value.data);
 }
 
-Call::Call(const Node& node, const std::string& file, const Parameters& parameters, const BuildOptions& options,
+Call::Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options,
            std::vector<Warning>& warnings)
     : node_(node), file_(file), options_(options), warnings_(warnings) {
   std::size_t position = 0;
@@ -73,11 +73,11 @@ Call::Call(const Node& node, const std::string& file, const Parameters& paramete
 }
 
 void Call::bind(const Argument& argument, const Parameters& parameters, std::size_t& position) {
-  const Place at{file_, argument.line, argument.column};
+  const auto at = [&] { return Place{file_, argument.line, argument.column}; };
   std::string_view name = argument.name;
   if (name.empty()) {
     if (position == parameters.positional.size()) {
-      reject(ErrorCode::bad_value, at, fmt::format("too many arguments for '{}'", node_.name),
+      reject(ErrorCode::bad_value, at(), fmt::format("too many arguments for '{}'", node_.name),
              fmt::format("it takes {} without a name", parameters.positional.size()), "remove this one or name it");
     }
     name = parameters.positional[position++];
@@ -87,7 +87,7 @@ void Call::bind(const Argument& argument, const Parameters& parameters, std::siz
   }
   const auto same_name = [&](const auto& other) { return other.first == name; };
   if (std::any_of(bound_.begin(), bound_.end(), same_name)) {
-    reject(ErrorCode::bad_value, at, fmt::format("'{}' of '{}' is given twice", name, node_.name), "", "remove one");
+    reject(ErrorCode::bad_value, at(), fmt::format("'{}' of '{}' is given twice", name, node_.name), "", "remove one");
   }
   bound_.emplace_back(name, &argument);
   warn_of_words(argument, name);

@@ -33,7 +33,7 @@ class Call {
  public:
   /// Throws Error(unknown_name) for a name that is none of the parameters, Error(bad_value) for one given twice and for
   /// too many positional ones.
-  Call(const Node& node, const std::string& file, const Parameters& parameters, const BuildOptions& options,
+  Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options,
        std::vector<Warning>& warnings);
 
   const std::string& name() const { return node_.name; }
@@ -80,7 +80,7 @@ class Call {
   [[noreturn]] void unknown_argument(const Argument& argument, const Parameters& parameters) const;
 
   const Node& node_;
-  const std::string& file_;
+  const FileName& file_;
   const BuildOptions& options_;
   std::vector<Warning>& warnings_;
   std::vector<std::pair<std::string_view, const Argument*>> bound_;

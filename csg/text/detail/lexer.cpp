@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "csg/text/detail/shortened.h"
 #include "csg/text/detail/utf8.h"
@@ -45,7 +46,7 @@ std::string describe(const Token& token) {
   return fmt::format("'{}'", spelling);
 }
 
-Lexer::Lexer(std::string_view text, const std::string& file) : text_(text), file_(file) {
+Lexer::Lexer(std::string_view text, FileName file) : text_(text), file_(std::move(file)) {
   if (text_.substr(0, byte_order_mark.size()) == byte_order_mark) position_ = line_start_ = byte_order_mark.size();
 }
 

@@ -31,10 +31,10 @@ std::string describe(const Token& token);
 class Lexer {
  public:
   /// `text` must outlive the lexer and its tokens.
-  Lexer(std::string_view text, const std::string& file);
+  Lexer(std::string_view text, FileName file);
 
   Token next();
-  const std::string& file() const { return file_; }
+  const FileName& file() const { return file_; }
 
  private:
   bool at_end() const { return position_ >= text_.size(); }
@@ -56,7 +56,7 @@ class Lexer {
   [[noreturn]] void reject_byte() const;
 
   std::string_view text_;
-  std::string file_;
+  FileName file_;
   std::size_t position_ = 0;
   std::size_t line_start_ = 0;
   int line_ = 1;

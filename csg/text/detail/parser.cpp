@@ -38,7 +38,7 @@ bool is_operator(const Token& token) {
 
 }  // namespace
 
-Parser::Parser(std::string_view text, const std::string& file) : lexer_(text, file) { step(); }
+Parser::Parser(std::string_view text, const FileName& file) : lexer_(text, file) { step(); }
 
 void Parser::step() { token_ = lexer_.next(); }
 

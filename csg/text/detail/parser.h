@@ -18,7 +18,7 @@ namespace csgcast::text {
 ///                | "[" [value ("," value)* [","]] "]"
 class Parser {
  public:
-  Parser(std::string_view text, const std::string& file);
+  Parser(std::string_view text, const FileName& file);
 
   /// All statements of the text.
   std::vector<Node> statements();

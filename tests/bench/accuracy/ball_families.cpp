@@ -78,7 +78,7 @@ std::optional<std::vector<Ball>> balls_of(const Solid& solid) {
     const Transform& place = moved.transform();
     const Vector offset{place(0, 3), place(1, 3), place(2, 3)};
     const Solid& child = moved.children()[0];
-    if (place != translation(offset) || child.kind() != Solid::Kind::leaf || child.shape().kind != "sphere")
+    if (place != translation(offset) || child.kind() != Solid::Kind::leaf || child.shape().kind != LeafKind::sphere)
       return std::nullopt;
     const Ball ball{Point{} + offset, child.shape().semi_axes->x};
     if (!is_float(ball.center.x) || !is_float(ball.center.y) || !is_float(ball.center.z) || !is_float(ball.radius))

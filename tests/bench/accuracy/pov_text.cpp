@@ -32,9 +32,9 @@ std::string cone(const Disc& bottom, const Disc& top) {
 }
 
 std::string leaf(const LeafShape& shape) {
-  if (shape.kind == "sphere") return fmt::format("sphere {{ 0, {:.17g} }}", shape.semi_axes->x);
-  if (shape.kind == "cylinder") return cone(shape.discs[0], shape.discs[1]);
-  if (shape.kind == "cube") {
+  if (shape.kind == LeafKind::sphere) return fmt::format("sphere {{ 0, {:.17g} }}", shape.semi_axes->x);
+  if (shape.kind == LeafKind::cylinder) return cone(shape.discs[0], shape.discs[1]);
+  if (shape.kind == LeafKind::cube) {
     const Box& b = shape.bounds;
     return fmt::format("box {{ {}, {} }}", pov_vector(b.lower.x, b.lower.y, b.lower.z),
                        pov_vector(b.upper.x, b.upper.y, b.upper.z));

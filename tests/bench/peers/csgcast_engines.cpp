@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "raycast/caster.h"
+#include "raycast/packet_caster.h"
 #include "tests/bench/peers/engines.h"
 
 namespace csgcast::bench {
@@ -38,12 +42,62 @@ class ScalarEngine : public Engine {
   IntervalList list_;
 };
 
+class LaneEngine : public Engine {
+ public:
+  LaneEngine(const Cells& cells, PacketCaster::Width width)
+      : name_(width == PacketCaster::Width::packet ? "csgcast, packets" : "csgcast, single rays in cells"),
+        caster_(cells, width) {}
+
+  std::string name() const override { return name_; }
+
+  void first_hits(std::span<const Ray> rays, std::span<double> t) override {
+    hits_.resize(rays.size());
+    caster_.first_hits(rays, hits_, Rounding::close);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      t[i] = hits_[i] ? hits_[i]->crossing.t : std::numeric_limits<double>::infinity();
+  }
+
+  void intervals(std::span<const Ray> rays, IntervalTable& table) override {
+    caster_.intervals(rays, batch_, {}, Rounding::close);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      for (const Interval& interval : batch_.of(i)) {
+        table.ends.push_back(interval.entry.t);
+        table.ends.push_back(interval.exit.t);
+      }
+      table.end_ray();
+    }
+  }
+
+ private:
+  std::string name_;
+  PacketCaster caster_;
+  std::vector<std::optional<Hit>> hits_;
+  IntervalBatch batch_;
+};
+
+// The cells that its engines share live as long as the last of them.
+class LaneEngineWithCells : public Engine {
+ public:
+  LaneEngineWithCells(std::shared_ptr<const Cells> cells, PacketCaster::Width width)
+      : cells_(std::move(cells)), engine_(*cells_, width) {}
+
+  std::string name() const override { return engine_.name(); }
+  void first_hits(std::span<const Ray> rays, std::span<double> t) override { engine_.first_hits(rays, t); }
+  void intervals(std::span<const Ray> rays, IntervalTable& table) override { engine_.intervals(rays, table); }
+
+ private:
+  std::shared_ptr<const Cells> cells_;
+  LaneEngine engine_;
+};
+
 }  // namespace
 
 Engines csgcast_engines(const PeerScene& scene) {
   Engines engines;
   engines.push_back(std::make_unique<ScalarEngine>(scene.compiled));
-  // Another engine of csgcast is one more class above and one more line here.
+  const auto cells = std::make_shared<const Cells>(scene.compiled);
+  engines.push_back(std::make_unique<LaneEngineWithCells>(cells, PacketCaster::Width::single));
+  engines.push_back(std::make_unique<LaneEngineWithCells>(cells, PacketCaster::Width::packet));
   return engines;
 }
 

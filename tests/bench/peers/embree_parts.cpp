@@ -104,7 +104,7 @@ class PartScene {
  public:
   PartScene(const PeerScene& scene, Aim aim) : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_.get())) {
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_MEDIUM);
+    rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
     // Embree's rays are ours rounded to float: by this far at most are they beside them within the scene.
     const double distance = length(scene.compiled.bounds().center() - scene.rays[0].origin()) + scene.size;
     const Vector margin{distance * 0x1p-22, distance * 0x1p-22, distance * 0x1p-22};

@@ -56,9 +56,9 @@ Frustum moved_frustum(Disc bottom, Disc top, const Transform& m) {
 
 Part moved_part(const LeafShape& shape, const Transform& m) {
   if (!permutes_axes(m)) refuse("solids turned by less than a quarter");
-  if (shape.kind == "sphere") return Ball{m * Point{}, shape.semi_axes->x};
-  if (shape.kind == "cylinder") return moved_frustum(shape.discs[0], shape.discs[1], m);
-  if (shape.kind != "cube") refuse("a " + shape.kind);
+  if (shape.kind == LeafKind::sphere) return Ball{m * Point{}, shape.semi_axes->x};
+  if (shape.kind == LeafKind::cylinder) return moved_frustum(shape.discs[0], shape.discs[1], m);
+  if (shape.kind != LeafKind::cube) refuse(std::string("a ") + word(shape.kind));
   const Point a = m * shape.bounds.lower, b = m * shape.bounds.upper;
   return Brick{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
                {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};

@@ -2,14 +2,13 @@
 """The same picture by csgcast and by POV-Ray: seconds to trace it on one thread, shadows and all.
 
 The two take turns, and what counts is the median. POV-Ray's seconds are the processor's, from its own log. csgcast's are
-those of the trace stage by the wall clock, or of the whole process by the processor's if these are fewer (then others kept
-the processor from it). Neither has reading the scene or writing the picture in it.
+the processor's in the trace stage (`render --stats`). Neither has reading the scene, building what rays are traced in or
+writing the picture in it.
 """
 import csv
 import json
 import os
 import re
-import resource
 import statistics
 import subprocess
 
@@ -41,17 +40,11 @@ def write_scene(name, folder):
             file.write(write(scenes.SCENES[name]()))
 
 
-def processor_seconds():
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
-
-
 def trace_csgcast(program, name, side, folder):
-    before = processor_seconds()
     subprocess.run([program, "render", f"{name}.csg", "-o", f"{name}-csgcast.png", "--size", f"{side}x{side}", "--quiet",
                     "--threads", "1", "--stats", f"{name}.json"], check=True, cwd=folder)
     with open(os.path.join(folder, f"{name}.json"), encoding="utf-8") as file:
-        return min(json.load(file)["seconds"]["trace"], processor_seconds() - before)
+        return json.load(file)["seconds"]["trace_cpu"]
 
 
 def trace_povray(name, side, folder):

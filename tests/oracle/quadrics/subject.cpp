@@ -26,7 +26,7 @@ Subject::Subject(const Solid& defined, const Solid& compiled)
       leaf_id_(formula_.leaves().size()) {
   std::map<RationalForm, SurfaceId> ids;
   for (std::uint32_t i = 0; i < scene_.surfaces().size(); ++i) {
-    ids.emplace(RationalForm(scene_.surfaces()[i].exact), SurfaceId(i));
+    ids.emplace(RationalForm(scene_.surfaces()[i].exact.unpacked()), SurfaceId(i));
   }
   for (std::size_t i = 0; i < surface_id_.size(); ++i) {
     const auto found = ids.find(formula_.surfaces()[i]);

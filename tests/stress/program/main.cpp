@@ -51,8 +51,8 @@ int run(const Request& request) {
     return 2;
   }
   if (!request.only_list)
-    print_line(fmt::format("{:40} {:>9} {:>10} {:>9} {:>9} {:>12} {:>6} {:>8}", "family", "rays", "intervals", "flagged", "not lanes",
-                           "by exact", "wrong", "seconds"));
+    print_line(fmt::format("{:40} {:>9} {:>10} {:>9} {:>9} {:>12} {:>6} {:>8}", "family", "rays", "intervals",
+                           "flagged", "not lanes", "by exact", "wrong", "seconds"));
   std::uint64_t wrong = 0;
   for (const stress::Family* family : families) {
     if (request.only_list) {
