@@ -13,6 +13,7 @@ namespace {
 constexpr int most_depth = 60;
 // How often a split that promises nothing may be tried on the way down.
 constexpr int most_hopes = 3;
+constexpr int hopes_of_large = 3;  // so many more where a cell would have no table
 constexpr std::size_t most_leaves_tried = 12;
 constexpr std::size_t most_candidates = 24;
 // Beside a face, far enough for the cell to be clear of it: the boxes of leaves are wider by 2^-31.
@@ -240,8 +241,8 @@ double CellBuilder::build(const Formula& formula, const CellBox& box, int depth,
   }
   if (split.cost == 0) return add_cell(formula);
   const bool is_promising = split.cost < as_one;
-  if (!is_promising && hopes == 0 && !is_too_large) return add_cell(formula);
-  const int left = is_promising ? most_hopes : std::max(hopes - 1, 0);
+  if (!is_promising && hopes <= (is_too_large ? -hopes_of_large : 0)) return add_cell(formula);
+  const int left = is_promising ? most_hopes : hopes - 1;
 
   const Marks before = marks();
   data_.nodes.push_back({split.at, 0, static_cast<std::uint32_t>(split.axis)});
