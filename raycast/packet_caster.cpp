@@ -25,6 +25,39 @@ const detail::LaneCode& code_named(std::string_view instructions) {
               "this machine has others", "ask PacketCaster::instruction_sets()");
 }
 
+Ray ray_at(const RayArrays& rays, std::size_t i) {
+  return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
+          {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}};
+}
+
+void begin(Caster& caster, const RayArrays& rays, std::size_t i) {
+  std::optional<Departure> departure;
+  if (rays.departure != nullptr) {
+    const Sense side = rays.departs_positive[i] != 0 ? Sense::positive : Sense::negative;
+    departure = Departure{SurfaceId(rays.departure[i]), side};
+  }
+  caster.begin(ray_at(rays, i), departure);
+}
+
+Span span_of(const RayArrays& rays, std::size_t i) {
+  Span span = rays.whole_line ? Span::line() : Span();
+  if (rays.end != nullptr) span.to = rays.end[i];
+  return span;
+}
+
+void set_face(const FaceArrays& faces, std::size_t i, const Hit& hit, const Attribution& face) {
+  faces.state[i] = hit.passage == Passage::entry ? FaceArrays::entry : FaceArrays::exit;
+  faces.t[i] = hit.crossing.t;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    faces.point[axis][i] = face.point[axis];
+    faces.normal[axis][i] = face.normal[axis];
+  }
+  faces.surface[i] = hit.crossing.surface.index();
+  faces.look[i] = face.look.index();
+  faces.comes_positive[i] = face.front == Sense::positive ? 1 : 0;
+  if (faces.leaf != nullptr) faces.leaf[i] = face.leaf.index();
+}
+
 }  // namespace
 
 PacketCounts& PacketCounts::operator+=(const PacketCounts& other) {
@@ -39,7 +72,9 @@ PacketCounts& PacketCounts::operator+=(const PacketCounts& other) {
 
 struct PacketCaster::State {
   State(const Cells& c, Width w, std::string_view instructions)
-      : cells(c), width(w), code(code_named(instructions)), caster(c.scene()) {}
+      : cells(c),
+        code(w == Width::packet ? code_named(instructions).packet : code_named(instructions).single),
+        caster(c.scene()) {}
 
   void load(std::span<const Ray> rays) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -57,14 +92,29 @@ struct PacketCaster::State {
     }
   }
 
-  SurfaceId surface_of(std::uint32_t slot_index) const { return SurfaceId(cells.data().slots[slot_index].surface); }
+  // The intervals of a ray from the ends that lanes found; to round t the caster must be at the ray.
+  void append_known(std::size_t ray, Span span, Rounding rounding, std::vector<Interval>& intervals) {
+    bool inside = lists.starts_inside[ray];
+    Crossing entry{span.from, {}, 0};
+    for (std::size_t k = lists.offsets[ray]; k < lists.offsets[ray + 1]; ++k) {
+      const detail::LaneLists::End& end = lists.ends[k];
+      Crossing at{end.t, SurfaceId(cells.data().slots[end.slot].surface), end.root};
+      if (rounding == Rounding::nearest) at = caster.reported(at);
+      if (inside) {
+        intervals.push_back({entry, at});
+      } else {
+        entry = at;
+      }
+      inside = !inside;
+    }
+    if (inside) intervals.push_back({entry, {span.to, {}, 1}});
+  }
 
   const Cells& cells;
-  Width width;
-  const detail::LaneCode& code;
+  const detail::LaneFunctions& code;
   Caster caster;
   RayArrays lane_rays;
-  detail::LaneCounts counts;
+  PacketCounts counts;
   detail::LaneLists lists;
   std::array<std::array<double, rays_at_once>, 3> origin;
   std::array<std::array<double, rays_at_once>, 3> direction;
@@ -99,12 +149,11 @@ void PacketCaster::first_hits(std::span<const Ray> rays, std::span<std::optional
   lanes.faces.comes_positive = state.comes_positive.data();
   lanes.root = state.root.data();
   lanes.left = &state.left;
-  const auto cast = state.width == Width::packet ? state.code.first_hits : state.code.first_hits_single;
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
     const auto packet = rays.subspan(begin, std::min(rays_at_once, rays.size() - begin));
     state.load(packet);
     state.left.clear();
-    cast(scene(), state.cells.data(), state.lane_rays, lanes, state.counts);
+    state.code.first_hits(scene(), state.cells.data(), state.lane_rays, lanes, state.counts);
     for (std::size_t i = 0; i < packet.size(); ++i) {
       std::optional<Hit>& hit = hits[begin + i];
       hit.reset();
@@ -144,31 +193,17 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
       state.load(packet);
       state.lane_rays.whole_line = span.from != 0;
       state.lane_rays.end = span.to == line_end().t ? nullptr : end.data();
-      const auto cast = state.width == Width::packet ? state.code.lists : state.code.lists_single;
-      cast(scene(), state.cells.data(), state.lane_rays, state.lists, state.counts);
+      state.code.lists(scene(), state.cells.data(), state.lane_rays, state.lists, state.counts);
       state.lane_rays = {};
     }
     for (std::size_t i = 0; i < packet.size(); ++i) {
       const bool is_known = fits_lanes && !state.lists.is_flagged[i];
       if (!is_known || rounding == Rounding::nearest) state.caster.begin(packet[i]);
-      if (!is_known) {
+      if (is_known) {
+        state.append_known(i, span, rounding, batch.intervals);
+      } else {
         state.caster.intervals(state.cells.node(), state.list, span);
         batch.intervals.insert(batch.intervals.end(), state.list.begin(), state.list.end());
-      } else {
-        bool inside = state.lists.starts_inside[i];
-        Crossing entry{span.from, {}, 0};
-        for (std::size_t k = state.lists.offsets[i]; k < state.lists.offsets[i + 1]; ++k) {
-          const detail::LaneLists::End& found = state.lists.ends[k];
-          Crossing at{found.t, state.surface_of(found.slot), found.root};
-          if (rounding == Rounding::nearest) at = state.caster.reported(at);
-          if (inside) {
-            batch.intervals.push_back({entry, at});
-          } else {
-            entry = at;
-          }
-          inside = !inside;
-        }
-        if (inside) batch.intervals.push_back({entry, {span.to, {}, 1}});
       }
       batch.offsets.push_back(batch.intervals.size());
       batch.left_to_caster.push_back(is_known ? 0 : 1);
@@ -176,53 +211,15 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
   }
 }
 
-namespace {
-
-Ray ray_at(const RayArrays& rays, std::size_t i) {
-  return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
-          {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}};
-}
-
-void begin(Caster& caster, const RayArrays& rays, std::size_t i) {
-  std::optional<Departure> departure;
-  if (rays.departure != nullptr) {
-    const Sense side = rays.departs_positive[i] != 0 ? Sense::positive : Sense::negative;
-    departure = Departure{SurfaceId(rays.departure[i]), side};
-  }
-  caster.begin(ray_at(rays, i), departure);
-}
-
-Span span_of(const RayArrays& rays, std::size_t i) {
-  Span span = rays.whole_line ? Span::line() : Span();
-  if (rays.end != nullptr) span.to = rays.end[i];
-  return span;
-}
-
-void set_face(const FaceArrays& faces, std::size_t i, const Hit& hit, const Attribution& face) {
-  faces.state[i] = hit.passage == Passage::entry ? FaceArrays::entry : FaceArrays::exit;
-  faces.t[i] = hit.crossing.t;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    faces.point[axis][i] = face.point[axis];
-    faces.normal[axis][i] = face.normal[axis];
-  }
-  faces.surface[i] = hit.crossing.surface.index();
-  faces.look[i] = face.look.index();
-  faces.comes_positive[i] = face.front == Sense::positive ? 1 : 0;
-  if (faces.leaf != nullptr) faces.leaf[i] = face.leaf.index();
-}
-
-}  // namespace
-
 void PacketCaster::first_faces(const RayArrays& rays, const FaceArrays& faces) {
   State& state = *state_;
   detail::LaneHits lanes;
   lanes.faces = faces;
   lanes.left = &state.left;
   state.left.clear();
-  const auto cast = state.width == Width::packet ? state.code.first_hits : state.code.first_hits_single;
-  cast(scene(), state.cells.data(), rays, lanes, state.counts);
-  // Without a bounded leaf places are computed another way (LineCache::point).
-  if (!scene().bounded_leaves().is_finite()) {
+  if (scene().bounded_leaves().is_finite()) {
+    state.code.first_hits(scene(), state.cells.data(), rays, lanes, state.counts);
+  } else {  // places are computed another way (LineCache::point)
     state.left.resize(rays.count);
     std::iota(state.left.begin(), state.left.end(), 0u);
   }
@@ -240,8 +237,7 @@ void PacketCaster::any_hits(const RayArrays& rays, std::uint8_t* hits) {
   lanes.faces.state = hits;
   lanes.left = &state.left;
   state.left.clear();
-  const auto cast = state.width == Width::packet ? state.code.any_hits : state.code.any_hits_single;
-  cast(scene(), state.cells.data(), rays, lanes, state.counts);
+  state.code.any_hits(scene(), state.cells.data(), rays, lanes, state.counts);
   for (const std::uint32_t i : state.left) {
     begin(state.caster, rays, i);
     hits[i] = state.caster.any_hit(state.cells.node(), span_of(rays, i)) ? 1 : 0;
@@ -250,10 +246,7 @@ void PacketCaster::any_hits(const RayArrays& rays, std::uint8_t* hits) {
 
 std::span<const std::uint32_t> PacketCaster::left_to_caster() const { return state_->left; }
 
-PacketCounts PacketCaster::counts() const {
-  const detail::LaneCounts& c = state_->counts;
-  return {c.rays, c.packets, c.nodes, c.cells, c.surface_tests, c.flagged};
-}
+PacketCounts PacketCaster::counts() const { return state_->counts; }
 
 CasterCounts PacketCaster::caster_counts() const { return state_->caster.counts(); }
 

@@ -10,6 +10,7 @@
 
 #include "raycast/caster.h"
 #include "raycast/cells.h"
+#include "raycast/packet_counts.h"
 #include "raycast/ray_arrays.h"
 
 namespace csgcast {
@@ -23,17 +24,6 @@ struct IntervalBatch {
   std::span<const Interval> of(std::size_t ray) const {
     return std::span(intervals).subspan(offsets[ray], offsets[ray + 1] - offsets[ray]);
   }
-};
-
-/// Work done by packets.
-struct PacketCounts {
-  std::uint64_t rays = 0;
-  std::uint64_t packets = 0;
-  std::uint64_t nodes = 0;          ///< of the kd-tree that packets passed
-  std::uint64_t cells = 0;          ///< that packets visited
-  std::uint64_t surface_tests = 0;  ///< surfaces that packets were tested with
-  std::uint64_t flagged = 0;        ///< rays left to the caster
-  PacketCounts& operator+=(const PacketCounts& other);
 };
 
 /// Answers many rays at once, a ray in each lane of the machine's vector registers: the same answers as Caster's, to

@@ -26,6 +26,7 @@ constexpr double least_share_of_large = 0x1p-13;
 // The cost of a ray, in units of the test of a surface.
 constexpr double cost_of_node = 1.0;
 constexpr double cost_of_constant = 0.3;
+
 double area(const CellBox& box) {
   const Vector s = box.upper - box.lower;
   return s.x * s.y + s.y * s.z + s.z * s.x;
@@ -210,15 +211,8 @@ void CellBuilder::gather_leaves(const Formula& formula, std::vector<LeafId>& lea
 // The expected cost of the formula's rays if it were one cell.
 double CellBuilder::trial_cost(const Formula& formula, const CellBox& box) {
   fold(formula, box, trial_);
-  ++sighting_;
-  std::size_t count = 0;
-  for (const Term& term : trial_.terms) {
-    if (term.op != Term::Op::half_space) continue;
-    std::uint32_t& seen = seen_in_[term.surface().index()];
-    count += seen != sighting_ ? 1 : 0;
-    seen = sighting_;
-  }
-  return cost_of_cell(count);
+  gather_surfaces(trial_, trial_surfaces_);
+  return cost_of_cell(trial_surfaces_.size());
 }
 
 double CellBuilder::build(const Formula& formula, const CellBox& box, int depth, int hopes) {

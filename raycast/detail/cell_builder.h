@@ -69,6 +69,7 @@ class CellBuilder {
   std::uint32_t sighting_ = 0;
   std::vector<std::uint32_t> slot_of_surface_;  // in the cell that is being made
   Formula trial_;
+  std::vector<SurfaceId> trial_surfaces_;
 };
 
 }  // namespace csgcast::detail

@@ -60,10 +60,8 @@ struct Cell {
   bool is_far = false;        ///< infinite, crossed by planes alone
 };
 
-/// Space in cells. Coordinates are the frame's, turned by `axes` (rows) if `is_turned`.
+/// Space in cells, in the frame's coordinates.
 struct CellData {
-  bool is_turned = false;
-  Vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   CellBox box{};          ///< beyond it there is nothing, unless `reaches_beyond`
   bool is_empty = false;  ///< there is nothing at all
   bool reaches_beyond = false;

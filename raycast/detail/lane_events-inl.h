@@ -93,6 +93,22 @@ HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const LaneSurface& p
 /// Slack that covers every sphere whose discriminant is above its threshold.
 constexpr double sphere_slack = 0x1p-37;
 
+/// A ray that departs from a sphere or cylinder has no event at its start; inwards it has one at the mirror image of
+/// the start in the `middle` of the two, which must be farther off than `least`.
+template <class D>
+HWY_INLINE void depart_from_round(D d, const LineLanes<D>& line, hn::Vec<D> middle, bool outside_is_positive,
+                                  double least, hn::Mask<D> departing, const Departures<D>& departures, std::size_t i,
+                                  Events<D>& events) {
+  using V = hn::Vec<D>;
+  const auto outwards = outside_is_positive ? departures.positive : hn::Not(departures.positive);
+  const V other = hn::Sub(hn::Add(middle, middle), line.start);
+  const V before = hn::Neg(hn::Inf(d));
+  events.first[i] = hn::IfThenElse(departing, before, events.first[i]);
+  events.second[i] = hn::IfThenElse(departing, hn::IfThenElse(outwards, before, other), events.second[i]);
+  const auto too_near = hn::Lt(hn::Sub(other, line.start), hn::Set(d, least));
+  flag(events, hn::AndNot(outwards, hn::And(departing, too_near)));
+}
+
 template <class D>
 HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& sphere, hn::Mask<D> departing,
                               const Departures<D>* departures, std::size_t i, Events<D>& events) {
@@ -113,15 +129,8 @@ HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& 
   const auto is_open = hn::Le(hn::Abs(discriminant), hn::Set(d, sphere.c[4]));
   events.slack = hn::Max(events.slack, hn::Set(d, sphere_slack));
   if (departures == nullptr) return flag(events, is_open);
-  // A departing ray has no event at its start; inwards it has one at the mirror image of the start.
   flag(events, hn::AndNot(departing, is_open));
-  const auto outwards = outside_is_positive ? departures->positive : hn::Not(departures->positive);
-  const V other = hn::Sub(hn::Add(middle, middle), line.start);
-  const V before = hn::Neg(never);
-  events.first[i] = hn::IfThenElse(departing, before, events.first[i]);
-  events.second[i] = hn::IfThenElse(departing, hn::IfThenElse(outwards, before, other), events.second[i]);
-  const auto too_near = hn::Lt(hn::Sub(other, line.start), hn::Set(d, 2 * sphere_slack));
-  flag(events, hn::AndNot(outwards, hn::And(departing, too_near)));
+  depart_from_round(d, line, middle, outside_is_positive, 2 * sphere_slack, departing, *departures, i, events);
 }
 
 /// A cylinder about a line along an axis of the frame: a circle in the plane of the other two. Rays nearly along the
@@ -162,13 +171,7 @@ HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const LaneSurface
   if (departures == nullptr) return flag(events, is_open);
   flag(events, hn::AndNot(departing, is_open));
   flag(events, hn::And(departing, is_steep));
-  const auto outwards = outside_is_positive ? departures->positive : hn::Not(departures->positive);
-  const V other = hn::Sub(hn::Add(middle, middle), line.start);
-  const V before = hn::Neg(never);
-  events.first[i] = hn::IfThenElse(departing, before, events.first[i]);
-  events.second[i] = hn::IfThenElse(departing, hn::IfThenElse(outwards, before, other), events.second[i]);
-  const auto comes_back_soon = hn::Lt(hn::Sub(other, line.start), hn::Set(d, 2 * greatest_slack));
-  flag(events, hn::AndNot(outwards, hn::And(departing, comes_back_soon)));
+  depart_from_round(d, line, middle, outside_is_positive, 2 * greatest_slack, departing, *departures, i, events);
 }
 
 /// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin; the operations of quadric_line.h.

@@ -70,9 +70,7 @@ struct LineLanes {
   V direction_squared, inverse_squared, shift, unit;
   V near_error;  ///< a bound for what each coordinate of `near` is off
 
-  Triples<V> cell_near, cell_direction;  ///< the same in the cells' axes
-  V inverse[3];                          ///< of cell_direction; huge where it is zero
-  V axis_inverse[3];                     ///< of direction
+  V axis_inverse[3];    ///< of direction; huge where it is zero
   V across_inverse[3];  ///< 1 / (direction_squared less the axis' own part); 0 for rays nearly along the axis
   V across_size[3];     ///< the root of that part, for these rays; else -1
   V guard[3];           ///< how near a plane square to the axis must be to be left to the caster; below 0: never
@@ -133,27 +131,6 @@ HWY_INLINE hn::Vec<D> inverse_of(D d, hn::Vec<D> v) {
   return hn::Div(hn::Set(d, 1.0), hn::IfThenElse(hn::Lt(hn::Abs(v), least), least, v));
 }
 
-/// The line in the axes of the cells.
-template <class D>
-HWY_INLINE void turn_to_cells(D d, const CellData& cells, LineLanes<D>& line) {
-  using V = hn::Vec<D>;
-  line.cell_near = line.near;
-  line.cell_direction = line.direction;
-  for (int axis = 0; axis < 3; ++axis) line.inverse[axis] = line.axis_inverse[axis];
-  if (!cells.is_turned) return;
-  const auto turned = [&](const Triples<V>& v) {
-    const auto row = [&](const Vector& r) {
-      return dot(Triples<V>{hn::Set(d, r.x), hn::Set(d, r.y), hn::Set(d, r.z)}, v);
-    };
-    return Triples<V>{row(cells.axes[0]), row(cells.axes[1]), row(cells.axes[2])};
-  };
-  line.cell_near = turned(line.near);
-  line.cell_direction = turned(line.direction);
-  line.inverse[0] = inverse_of(d, line.cell_direction.x);
-  line.inverse[1] = inverse_of(d, line.cell_direction.y);
-  line.inverse[2] = inverse_of(d, line.cell_direction.z);
-}
-
 /// What walks and tests need besides.
 template <class D>
 HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, std::size_t first, std::size_t count,
@@ -184,7 +161,6 @@ HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, 
       line.across_size[axis] = hn::IfThenElse(is_steep, hn::Sqrt(across), hn::Set(d, -1.0));
     }
   }
-  turn_to_cells(d, cells, line);
   line.start = hn::Neg(line.shift);
   if (rays.whole_line) line.start = hn::Neg(hn::Inf(d));
   line.end = hn::Inf(d);

@@ -31,7 +31,7 @@ class Walk {
   using U = hn::Vec<Bits>;
 
   Walk(const CellData& cells, const LineLanes<D>& line, const Departures<D>* departures, LaneEnds* ends,
-       LaneCounts& counts)
+       PacketCounts& counts)
       : cells_(cells), line_(line), departures_(departures), ends_(ends), counts_(counts) {}
 
   /// `lanes`: those that hold a ray.
@@ -60,7 +60,7 @@ class Walk {
       const unsigned signs = signs_of(leader);
       M group = waiting;
       for (unsigned axis = 0; axis < 3; ++axis) {
-        const M negative = hn::Lt(line_.inverse[axis], zero);
+        const M negative = hn::Lt(line_.axis_inverse[axis], zero);
         group = ((signs >> axis) & 1) != 0 ? hn::And(group, negative) : hn::AndNot(negative, group);
       }
       waiting = hn::AndNot(group, waiting);
@@ -76,16 +76,14 @@ class Walk {
   U rises() const { return rises_; }  ///< not zero: the surface turns positive
 
  private:
-  HWY_INLINE V near(unsigned axis) const {
-    return axis == 0 ? line_.cell_near.x : axis == 1 ? line_.cell_near.y : line_.cell_near.z;
-  }
+  HWY_INLINE V near(unsigned axis) const { return axis == 0 ? line_.near.x : axis == 1 ? line_.near.y : line_.near.z; }
 
   HWY_INLINE unsigned signs_of(std::size_t lane) const {
     const D d;
     unsigned signs = 0;
     for (unsigned axis = 0; axis < 3; ++axis) {
       HWY_ALIGN double values[16];
-      hn::Store(line_.inverse[axis], d, values);
+      hn::Store(line_.axis_inverse[axis], d, values);
       signs |= values[lane] < 0 ? 1u << axis : 0u;
     }
     return signs;
@@ -94,8 +92,8 @@ class Walk {
   HWY_INLINE void clip(V& from, V& to) const {
     const D d;
     for (unsigned axis = 0; axis < 3; ++axis) {
-      const V low = hn::Mul(hn::Sub(hn::Set(d, cells_.box.lower[axis]), near(axis)), line_.inverse[axis]);
-      const V high = hn::Mul(hn::Sub(hn::Set(d, cells_.box.upper[axis]), near(axis)), line_.inverse[axis]);
+      const V low = hn::Mul(hn::Sub(hn::Set(d, cells_.box.lower[axis]), near(axis)), line_.axis_inverse[axis]);
+      const V high = hn::Mul(hn::Sub(hn::Set(d, cells_.box.upper[axis]), near(axis)), line_.axis_inverse[axis]);
       from = hn::Max(from, hn::Min(low, high));
       to = hn::Min(to, hn::Max(low, high));
     }
@@ -120,7 +118,7 @@ class Walk {
       while (!node->is_end()) {
         ++counts_.nodes;
         const unsigned axis = node->axis;
-        const V split = hn::Mul(hn::Sub(hn::Set(d, node->split), near(axis)), line_.inverse[axis]);
+        const V split = hn::Mul(hn::Sub(hn::Set(d, node->split), near(axis)), line_.axis_inverse[axis]);
         const bool upwards = ((signs >> axis) & 1) == 0;
         const std::uint32_t first = upwards ? at + 1 : node->above;
         const std::uint32_t second = upwards ? node->above : at + 1;
@@ -151,7 +149,6 @@ class Walk {
 
   /// Lanes that start inside the cell learn what they start in.
   HWY_INLINE void begin(M lanes, M inside) {
-    begun_ = hn::Or(begun_, lanes);
     now_inside_ = hn::Or(hn::AndNot(lanes, now_inside_), hn::And(lanes, inside));
     started_inside_ = hn::Or(started_inside_, hn::And(lanes, inside));
     if constexpr (wanted == Wanted::any) {
@@ -205,7 +202,6 @@ class Walk {
   }
 
   HWY_INLINE U state_at(const Cell& cell, V at) const {
-    // (no tag)
     const Bits bits;
     U state = hn::Zero(bits);
     for (std::size_t i = 0; i < cell.slot_count; ++i) {
@@ -268,11 +264,14 @@ class Walk {
     const V limit = hn::Min(hn::Add(to, slack), hn::Set(d, std::numeric_limits<double>::max()));
     V at = hn::Add(from, slack);
     V next = next_after(cell, at);
-    M todo = hn::And(active, hn::Le(next, limit));
+    // The lanes with an event to look at. Close to the end of what is asked nothing is certain.
+    const auto due = [&](M lanes) {
+      const M todo = hn::And(lanes, hn::Le(next, limit));
+      flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, hn::Add(slack, line_.end_error)))));
+      return hn::And(todo, live_);
+    };
+    M todo = due(active);
     if (hn::AllFalse(d, todo)) return;
-    // Close to the end of what is asked nothing is certain.
-    flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, hn::Add(slack, line_.end_error)))));
-    todo = hn::And(todo, live_);
     U state = state_at(cell, at);
     M inside = value_of(cell, state);
     const M disagrees = hn::And(todo, hn::Xor(inside, now_inside_));
@@ -292,13 +291,9 @@ class Walk {
       record(cell, changes, flips, after);
       state = after;
       now_inside_ = hn::Or(hn::AndNot(changes, now_inside_), hn::And(changes, value));
-      todo = hn::And(todo, live_);
       at = hn::Add(next, slack);
       next = next_after(cell, at);
-      todo = hn::And(todo, hn::Le(next, limit));
-      if (hn::AllFalse(d, todo)) return;
-      flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, hn::Add(slack, line_.end_error)))));
-      todo = hn::And(todo, live_);
+      todo = due(hn::And(todo, live_));
     }
   }
 
@@ -376,7 +371,7 @@ class Walk {
   const LineLanes<D>& line_;
   const Departures<D>* departures_;
   LaneEnds* ends_;
-  LaneCounts& counts_;
+  PacketCounts& counts_;
   Events<D> events_;
   M live_, flagged_, found_, begun_, now_inside_, started_inside_;
   U slot_, rises_;

@@ -3,7 +3,6 @@
 #include "raycast/detail/lanes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -82,7 +81,7 @@ HWY_INLINE std::uint64_t bytes_of(unsigned bits) {
 }
 
 HWY_INLINE void store_states(const LaneHits& hits, std::size_t first, std::size_t count, const Outcome& outcome,
-                             LaneCounts& counts) {
+                             PacketCounts& counts) {
   const unsigned found = outcome.found[0];
   const unsigned inside = outcome.inside[0];
   // FaceArrays::entry is 1, exit 2.
@@ -116,9 +115,20 @@ HWY_INLINE hn::Mask<D> store_faces(D d, const Scene& scene, const CellData& cell
   return left;
 }
 
+/// Takes the next packet's lines through the cells.
 template <class D, Wanted wanted>
-HWY_INLINE void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
-                     LaneCounts& counts) {
+HWY_INLINE void walk_packet(D d, const Scene& scene, const CellData& cells, const RayArrays& rays, std::size_t first,
+                            std::size_t count, LineLanes<D>& line, Walk<D, wanted>& walk, PacketCounts& counts) {
+  set_line(d, scene.frame(), rays, first, count, line);
+  prepare_walk(d, cells, rays, first, count, line);
+  walk.run(hn::FirstN(d, count));
+  counts.rays += count;
+  ++counts.packets;
+}
+
+template <class D, Wanted wanted>
+void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
+          PacketCounts& counts) {
   const D d;
   const BitsOf<D> bits;
   const std::size_t lanes = hn::Lanes(d);
@@ -128,12 +138,8 @@ HWY_INLINE void cast(const Scene& scene, const CellData& cells, const RayArrays&
   Walk<D, wanted> walk(cells, line, rays.departure != nullptr ? &departures : nullptr, nullptr, counts);
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = HWY_MIN(lanes, rays.count - first);
-    set_line(d, scene.frame(), rays, first, count, line);
-    prepare_walk(d, cells, rays, first, count, line);
     if (rays.departure != nullptr) set_departures(d, rays, first, count, departures);
-    walk.run(hn::FirstN(d, count));
-    counts.rays += count;
-    ++counts.packets;
+    walk_packet(d, scene, cells, rays, first, count, line, walk, counts);
     auto left = walk.flagged();
     const auto found = hn::AndNot(left, walk.found());
     const bool any_found = !hn::AllFalse(d, found);
@@ -198,14 +204,14 @@ HWY_INLINE void tell_ends(D d, const Scene& scene, const CellData& cells, const 
       if (there[i] == 0) continue;
       if (has(d, open_bits, i)) lists.is_flagged[lists.is_flagged.size() - count + i] = true;
       lists.ends[start[i] + k] = {at[i], static_cast<std::uint32_t>(slots[i]),
-                                  static_cast<std::uint8_t>(has(d, second, i) ? 1 : 0), rises[i] != 0};
+                                  static_cast<std::uint8_t>(has(d, second, i) ? 1 : 0)};
     }
   }
 }
 
 template <class D>
-HWY_INLINE void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays, LaneLists& lists,
-                           LaneCounts& counts) {
+void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays, LaneLists& lists,
+                PacketCounts& counts) {
   const D d;
   const std::size_t lanes = hn::Lanes(d);
   LineLanes<D> line;
@@ -217,11 +223,7 @@ HWY_INLINE void cast_lists(const Scene& scene, const CellData& cells, const RayA
   lists.is_flagged.clear();
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = HWY_MIN(lanes, rays.count - first);
-    set_line(d, scene.frame(), rays, first, count, line);
-    prepare_walk(d, cells, rays, first, count, line);
-    walk.run(hn::FirstN(d, count));
-    counts.rays += count;
-    ++counts.packets;
+    walk_packet(d, scene, cells, rays, first, count, line, walk, counts);
     HWY_ALIGN std::uint8_t flagged[8];
     HWY_ALIGN std::uint8_t inside[8];
     hn::StoreMaskBits(d, walk.flagged(), flagged);
@@ -236,40 +238,13 @@ HWY_INLINE void cast_lists(const Scene& scene, const CellData& cells, const RayA
   }
 }
 
-using Packet = hn::CappedTag<double, 8>;
-using Single = hn::CappedTag<double, 1>;
-
-void first_hits(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
-                LaneCounts& counts) {
-  cast<Packet, Wanted::first>(scene, cells, rays, hits, counts);
-}
-
-void first_hits_single(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
-                       LaneCounts& counts) {
-  cast<Single, Wanted::first>(scene, cells, rays, hits, counts);
-}
-
-void lists(const Scene& scene, const CellData& cells, const RayArrays& rays, LaneLists& found, LaneCounts& counts) {
-  cast_lists<Packet>(scene, cells, rays, found, counts);
-}
-
-void lists_single(const Scene& scene, const CellData& cells, const RayArrays& rays, LaneLists& found,
-                  LaneCounts& counts) {
-  cast_lists<Single>(scene, cells, rays, found, counts);
-}
-
-void any_hits(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
-              LaneCounts& counts) {
-  cast<Packet, Wanted::any>(scene, cells, rays, hits, counts);
-}
-
-void any_hits_single(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
-                     LaneCounts& counts) {
-  cast<Single, Wanted::any>(scene, cells, rays, hits, counts);
+template <class D>
+LaneFunctions functions() {
+  return {cast<D, Wanted::first>, cast<D, Wanted::any>, cast_lists<D>};
 }
 
 LaneCode lane_code(std::string_view name) {
-  return {name, hn::Lanes(Packet()), first_hits, first_hits_single, lists, lists_single, any_hits, any_hits_single};
+  return {name, functions<hn::CappedTag<double, 8>>(), functions<hn::CappedTag<double, 1>>()};
 }
 
 }  // namespace HWY_NAMESPACE

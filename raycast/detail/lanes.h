@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raycast/detail/cell_data.h"
+#include "raycast/packet_counts.h"
 #include "raycast/ray_arrays.h"
 #include "raycast/scene.h"
 
@@ -34,7 +35,6 @@ struct LaneLists {
     double t;
     std::uint32_t slot;
     std::uint8_t root;
-    bool rises;
   };
   std::vector<End> ends;
   std::vector<std::size_t> offsets;  ///< where each ray's ends begin, and the end of the last; rays + 1
@@ -42,27 +42,19 @@ struct LaneLists {
   std::vector<bool> is_flagged;      ///< by ray
 };
 
-/// Work done.
-struct LaneCounts {
-  std::uint64_t rays = 0;
-  std::uint64_t packets = 0;
-  std::uint64_t nodes = 0;          ///< visited, times lanes at work
-  std::uint64_t cells = 0;          ///< visited, times lanes at work
-  std::uint64_t surface_tests = 0;  ///< times lanes at work
-  std::uint64_t flagged = 0;
+/// The work on rays of one width.
+struct LaneFunctions {
+  void (*first_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, PacketCounts&);
+  /// Whether the rays meet the inside: state is entry or none, and `left`.
+  void (*any_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, PacketCounts&);
+  void (*lists)(const Scene&, const CellData&, const RayArrays&, LaneLists&, PacketCounts&);
 };
 
 /// The code for one instruction set. All give the same answers to rays that they do not flag.
 struct LaneCode {
   std::string_view name;
-  std::size_t lanes;
-  void (*first_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
-  void (*first_hits_single)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
-  void (*lists)(const Scene&, const CellData&, const RayArrays&, LaneLists&, LaneCounts&);
-  void (*lists_single)(const Scene&, const CellData&, const RayArrays&, LaneLists&, LaneCounts&);
-  /// Whether the rays meet the inside: state is entry or none, and `left`.
-  void (*any_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
-  void (*any_hits_single)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, LaneCounts&);
+  LaneFunctions packet;  ///< as many rays at once as a register holds
+  LaneFunctions single;  ///< one
 };
 
 /// Those that this machine can run, the best first.

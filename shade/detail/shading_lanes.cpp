@@ -203,7 +203,7 @@ void light(const Material* looks, const LightDescription& description, const Sha
   }
 }
 
-ShadingCode code(std::string_view name) { return {name, camera_rays, unlit, light}; }
+ShadingCode code() { return {camera_rays, unlit, light}; }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace csgcast::detail
@@ -215,7 +215,7 @@ namespace csgcast::detail {
 HWY_EXPORT(code);
 
 const ShadingCode& shading_code() {
-  static const ShadingCode best = HWY_DYNAMIC_DISPATCH(code)("best");
+  static const ShadingCode best = HWY_DYNAMIC_DISPATCH(code)();
   return best;
 }
 

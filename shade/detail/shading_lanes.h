@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 
 #include "csg/look.h"
 #include "csg/scene_description.h"
@@ -37,7 +36,6 @@ struct ShadowRays {
 };
 
 struct ShadingCode {
-  std::string_view name;
   /// The directions of the rays through places (x, y) of the picture, and their origins.
   void (*camera_rays)(const CameraFrame& camera, std::size_t count, const double* x, const double* y,
                       double* const* origin, double* const* direction);

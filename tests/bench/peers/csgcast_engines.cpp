@@ -44,9 +44,10 @@ class ScalarEngine : public Engine {
 
 class LaneEngine : public Engine {
  public:
-  LaneEngine(const Cells& cells, PacketCaster::Width width)
+  LaneEngine(std::shared_ptr<const Cells> cells, PacketCaster::Width width)
       : name_(width == PacketCaster::Width::packet ? "csgcast, packets" : "csgcast, single rays in cells"),
-        caster_(cells, width) {}
+        cells_(std::move(cells)),
+        caster_(*cells_, width) {}
 
   std::string name() const override { return name_; }
 
@@ -70,24 +71,10 @@ class LaneEngine : public Engine {
 
  private:
   std::string name_;
+  std::shared_ptr<const Cells> cells_;  // shared with the other width
   PacketCaster caster_;
   std::vector<std::optional<Hit>> hits_;
   IntervalBatch batch_;
-};
-
-// The cells that its engines share live as long as the last of them.
-class LaneEngineWithCells : public Engine {
- public:
-  LaneEngineWithCells(std::shared_ptr<const Cells> cells, PacketCaster::Width width)
-      : cells_(std::move(cells)), engine_(*cells_, width) {}
-
-  std::string name() const override { return engine_.name(); }
-  void first_hits(std::span<const Ray> rays, std::span<double> t) override { engine_.first_hits(rays, t); }
-  void intervals(std::span<const Ray> rays, IntervalTable& table) override { engine_.intervals(rays, table); }
-
- private:
-  std::shared_ptr<const Cells> cells_;
-  LaneEngine engine_;
 };
 
 }  // namespace
@@ -96,8 +83,8 @@ Engines csgcast_engines(const PeerScene& scene) {
   Engines engines;
   engines.push_back(std::make_unique<ScalarEngine>(scene.compiled));
   const auto cells = std::make_shared<const Cells>(scene.compiled);
-  engines.push_back(std::make_unique<LaneEngineWithCells>(cells, PacketCaster::Width::single));
-  engines.push_back(std::make_unique<LaneEngineWithCells>(cells, PacketCaster::Width::packet));
+  engines.push_back(std::make_unique<LaneEngine>(cells, PacketCaster::Width::single));
+  engines.push_back(std::make_unique<LaneEngine>(cells, PacketCaster::Width::packet));
   return engines;
 }
 
