@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "csg/error.h"
@@ -45,14 +46,31 @@ Span span_of(const RayArrays& rays, std::size_t i) {
   return span;
 }
 
-void set_face(const FaceArrays& faces, std::size_t i, const Hit& hit, const Attribution& face) {
-  faces.state[i] = hit.passage == Passage::entry ? FaceArrays::entry : FaceArrays::exit;
-  faces.t[i] = hit.crossing.t;
+// Rays [begin, begin + count).
+RayArrays part(RayArrays rays, std::size_t begin, std::size_t count) {
+  rays.count = count;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    rays.origin[axis] += begin;
+    rays.direction[axis] += begin;
+  }
+  if (rays.end != nullptr) rays.end += begin;
+  return rays;
+}
+
+void set_hit(const HitArrays& hits, std::size_t i, const std::optional<Hit>& hit) {
+  hits.state[i] = HitArrays::none;
+  if (!hit) return;
+  hits.state[i] = hit->passage == Passage::entry ? HitArrays::entry : HitArrays::exit;
+  hits.t[i] = hit->crossing.t;
+  hits.surface[i] = hit->crossing.surface.index();
+  if (hits.root != nullptr) hits.root[i] = hit->crossing.root;
+}
+
+void set_face(const FaceArrays& faces, std::size_t i, const Attribution& face) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     faces.point[axis][i] = face.point[axis];
     faces.normal[axis][i] = face.normal[axis];
   }
-  faces.surface[i] = hit.crossing.surface.index();
   faces.look[i] = face.look.index();
   faces.comes_positive[i] = face.front == Sense::positive ? 1 : 0;
   if (faces.leaf != nullptr) faces.leaf[i] = face.leaf.index();
@@ -76,52 +94,70 @@ struct PacketCaster::State {
         code(w == Width::packet ? code_named(instructions).packet : code_named(instructions).single),
         caster(c.scene()) {}
 
-  void load(std::span<const Ray> rays) {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      const Point o = rays[i].origin();
-      const Vector d = rays[i].direction();
+  // Rays as arrays: those of `rays` from `begin` on, as many as are at once.
+  RayArrays load(std::span<const Ray> rays, std::size_t begin) {
+    RayArrays arrays;
+    arrays.count = std::min(rays_at_once, rays.size() - begin);
+    for (std::size_t i = 0; i < arrays.count; ++i) {
+      const Point o = rays[begin + i].origin();
+      const Vector d = rays[begin + i].direction();
       for (std::size_t axis = 0; axis < 3; ++axis) {
         origin[axis][i] = o[axis];
         direction[axis][i] = d[axis];
       }
     }
-    lane_rays.count = rays.size();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      lane_rays.origin[axis] = origin[axis].data();
-      lane_rays.direction[axis] = direction[axis].data();
+      arrays.origin[axis] = origin[axis].data();
+      arrays.direction[axis] = direction[axis].data();
+    }
+    return arrays;
+  }
+
+  // Lists of rays that lanes left have none yet: they are put in, from the last one on. `base`: how many rays the batch
+  // had before.
+  void insert_left(const RayArrays& rays, std::size_t base, std::size_t left_before, IntervalBatch& batch) {
+    for (std::size_t k = left.size(); k-- > left_before;) {
+      const std::size_t i = left[k];
+      begin(caster, rays, i);
+      caster.intervals(cells.node(), list, span_of(rays, i));
+      const auto at = static_cast<std::ptrdiff_t>(batch.offsets[base + i]);
+      batch.intervals.insert(batch.intervals.begin() + at, list.begin(), list.end());
+      for (std::size_t ray = base + i; ray < base + rays.count; ++ray) batch.offsets[ray + 1] += list.size();
     }
   }
 
-  // The intervals of a ray from the ends that lanes found; to round t the caster must be at the ray.
-  void append_known(std::size_t ray, Span span, Rounding rounding, std::vector<Interval>& intervals) {
-    bool inside = lists.starts_inside[ray];
-    Crossing entry{span.from, {}, 0};
-    for (std::size_t k = lists.offsets[ray]; k < lists.offsets[ray + 1]; ++k) {
-      const detail::LaneLists::End& end = lists.ends[k];
-      Crossing at{end.t, SurfaceId(cells.data().slots[end.slot].surface), end.root};
-      if (rounding == Rounding::nearest) at = caster.reported(at);
-      if (inside) {
-        intervals.push_back({entry, at});
-      } else {
-        entry = at;
+  void round(const RayArrays& rays, std::size_t base, IntervalBatch& batch) {
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      const std::size_t from = batch.offsets[base + i], to = batch.offsets[base + i + 1];
+      if (from == to) continue;
+      begin(caster, rays, i);
+      for (std::size_t k = from; k < to; ++k) {
+        Interval& interval = batch.intervals[k];
+        if (interval.entry.surface.valid()) interval.entry = caster.reported(interval.entry);
+        if (interval.exit.surface.valid()) interval.exit = caster.reported(interval.exit);
       }
-      inside = !inside;
     }
-    if (inside) intervals.push_back({entry, {span.to, {}, 1}});
+  }
+
+  // Adds the lists of some rays to the batch.
+  void add(const RayArrays& rays, std::size_t base, IntervalBatch& batch, Rounding rounding) {
+    batch.offsets.resize(base + rays.count + 1);
+    const std::size_t left_before = left.size();
+    code.lists(cells.scene(), cells.data(), rays, {&batch.intervals, batch.offsets.data() + base + 1, &left}, counts);
+    if (rounding == Rounding::nearest) round(rays, base, batch);
+    insert_left(rays, base, left_before, batch);
+    for (std::size_t k = left_before; k < left.size(); ++k) left[k] += static_cast<std::uint32_t>(base);
   }
 
   const Cells& cells;
   const detail::LaneFunctions& code;
   Caster caster;
-  RayArrays lane_rays;
   PacketCounts counts;
-  detail::LaneLists lists;
   std::array<std::array<double, rays_at_once>, 3> origin;
   std::array<std::array<double, rays_at_once>, 3> direction;
   std::array<std::uint8_t, rays_at_once> found;
   std::array<double, rays_at_once> t;
   std::array<std::uint32_t, rays_at_once> surface;
-  std::array<std::uint8_t, rays_at_once> comes_positive;
   std::array<std::uint8_t, rays_at_once> root;
   std::vector<std::uint32_t> left;  // the rays that lanes could not decide
   IntervalList list;
@@ -140,73 +176,86 @@ std::vector<std::string_view> PacketCaster::instruction_sets() {
 
 const Scene& PacketCaster::scene() const { return state_->cells.scene(); }
 
-void PacketCaster::first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding) {
+void PacketCaster::first_hits(const RayArrays& rays, const HitArrays& hits, Rounding rounding) {
   State& state = *state_;
   detail::LaneHits lanes;
-  lanes.faces.state = state.found.data();
-  lanes.faces.t = state.t.data();
-  lanes.faces.surface = state.surface.data();
-  lanes.faces.comes_positive = state.comes_positive.data();
-  lanes.root = state.root.data();
+  static_cast<HitArrays&>(lanes.faces) = hits;
   lanes.left = &state.left;
-  for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
-    const auto packet = rays.subspan(begin, std::min(rays_at_once, rays.size() - begin));
-    state.load(packet);
-    state.left.clear();
-    state.code.first_hits(scene(), state.cells.data(), state.lane_rays, lanes, state.counts);
-    for (std::size_t i = 0; i < packet.size(); ++i) {
-      std::optional<Hit>& hit = hits[begin + i];
-      hit.reset();
-      if (state.found[i] == FaceArrays::none) continue;
-      const Passage passage = state.found[i] == FaceArrays::entry ? Passage::entry : Passage::exit;
-      hit = Hit{{state.t[i], SurfaceId(state.surface[i]), state.root[i]}, passage};
-      if (rounding == Rounding::close) continue;
-      state.caster.begin(packet[i]);
-      hit->crossing = state.caster.reported(hit->crossing);
+  state.left.clear();
+  state.code.first_hits(scene(), state.cells.data(), rays, lanes, state.counts);
+  if (rounding == Rounding::nearest) {
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      if (hits.state[i] == HitArrays::none) continue;
+      begin(state.caster, rays, i);
+      hits.t[i] = state.caster.reported({hits.t[i], SurfaceId(hits.surface[i]), hits.root[i]}).t;
     }
-    for (const std::uint32_t i : state.left) {
-      state.caster.begin(packet[i]);
-      hits[begin + i] = state.caster.first_hit(state.cells.node(), {}, rounding);
-    }
+  }
+  for (const std::uint32_t i : state.left) {
+    begin(state.caster, rays, i);
+    set_hit(hits, i, state.caster.first_hit(state.cells.node(), span_of(rays, i), rounding));
   }
 }
 
-void PacketCaster::any_hits(std::span<const Ray> rays, std::span<std::uint8_t> hits) {
+void PacketCaster::first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding) {
+  State& state = *state_;
+  const HitArrays arrays{state.found.data(), state.t.data(), state.surface.data(), state.root.data()};
+  std::vector<std::uint32_t> left;
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
-    state_->load(rays.subspan(begin, std::min(rays_at_once, rays.size() - begin)));
-    any_hits(state_->lane_rays, hits.data() + begin);
+    const RayArrays some = state.load(rays, begin);
+    first_hits(some, arrays, rounding);
+    for (const std::uint32_t i : state.left) left.push_back(static_cast<std::uint32_t>(begin) + i);
+    for (std::size_t i = 0; i < some.count; ++i) {
+      std::optional<Hit>& hit = hits[begin + i];
+      hit.reset();
+      if (state.found[i] == HitArrays::none) continue;
+      hit = Hit{{state.t[i], SurfaceId(state.surface[i]), state.root[i]},
+                state.found[i] == HitArrays::entry ? Passage::entry : Passage::exit};
+    }
   }
+  state.left.swap(left);
+}
+
+void PacketCaster::any_hits(std::span<const Ray> rays, std::span<std::uint8_t> hits) {
+  std::vector<std::uint32_t> left;
+  for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
+    any_hits(state_->load(rays, begin), hits.data() + begin);
+    for (const std::uint32_t i : state_->left) left.push_back(static_cast<std::uint32_t>(begin) + i);
+  }
+  state_->left.swap(left);
+}
+
+void PacketCaster::intervals(const RayArrays& rays, IntervalBatch& batch, Rounding rounding) {
+  State& state = *state_;
+  batch.intervals.clear();
+  batch.offsets.assign(1, 0);
+  state.left.clear();
+  // In pieces: what is put in between (insert_left) moves but little.
+  for (std::size_t begin = 0; begin < rays.count; begin += rays_at_once)
+    state.add(part(rays, begin, std::min(rays_at_once, rays.count - begin)), begin, batch, rounding);
 }
 
 void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span, Rounding rounding) {
   State& state = *state_;
   batch.intervals.clear();
   batch.offsets.assign(1, 0);
-  batch.offsets.reserve(rays.size() + 1);
-  batch.left_to_caster.clear();
-  const bool fits_lanes = (span.from == 0 || span.from == line_start().t) && span.to > span.from;
+  state.left.clear();
+  const bool fits_lanes = (span.from == 0 || span.from == -HUGE_VAL) && span.to > span.from;
   std::array<double, rays_at_once> end;
   end.fill(span.to);
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
-    const auto packet = rays.subspan(begin, std::min(rays_at_once, rays.size() - begin));
+    RayArrays some = state.load(rays, begin);
+    some.whole_line = span.from != 0;
+    some.end = span.to == HUGE_VAL ? nullptr : end.data();
     if (fits_lanes) {
-      state.load(packet);
-      state.lane_rays.whole_line = span.from != 0;
-      state.lane_rays.end = span.to == line_end().t ? nullptr : end.data();
-      state.code.lists(scene(), state.cells.data(), state.lane_rays, state.lists, state.counts);
-      state.lane_rays = {};
+      state.add(some, begin, batch, rounding);
+      continue;
     }
-    for (std::size_t i = 0; i < packet.size(); ++i) {
-      const bool is_known = fits_lanes && !state.lists.is_flagged[i];
-      if (!is_known || rounding == Rounding::nearest) state.caster.begin(packet[i]);
-      if (is_known) {
-        state.append_known(i, span, rounding, batch.intervals);
-      } else {
-        state.caster.intervals(state.cells.node(), state.list, span);
-        batch.intervals.insert(batch.intervals.end(), state.list.begin(), state.list.end());
-      }
+    for (std::size_t i = begin; i < begin + some.count; ++i) {
+      state.caster.begin(rays[i]);
+      state.caster.intervals(state.cells.node(), state.list, span);
+      batch.intervals.insert(batch.intervals.end(), state.list.begin(), state.list.end());
       batch.offsets.push_back(batch.intervals.size());
-      batch.left_to_caster.push_back(is_known ? 0 : 1);
+      state.left.push_back(static_cast<std::uint32_t>(i));
     }
   }
 }
@@ -226,8 +275,8 @@ void PacketCaster::first_faces(const RayArrays& rays, const FaceArrays& faces) {
   for (const std::uint32_t i : state.left) {
     begin(state.caster, rays, i);
     const std::optional<Hit> hit = state.caster.first_hit(state.cells.node(), span_of(rays, i), Rounding::close);
-    faces.state[i] = FaceArrays::none;
-    if (hit) set_face(faces, i, *hit, state.caster.attribute(state.cells.node(), *hit));
+    set_hit(faces, i, hit);
+    if (hit) set_face(faces, i, state.caster.attribute(state.cells.node(), *hit));
   }
 }
 

@@ -18,8 +18,7 @@ namespace csgcast {
 /// The interval lists of many rays: those of ray i are intervals[offsets[i]] to intervals[offsets[i + 1]], exclusive.
 struct IntervalBatch {
   std::vector<Interval> intervals;
-  std::vector<std::size_t> offsets;          ///< rays + 1
-  std::vector<std::uint8_t> left_to_caster;  ///< by ray: 1 if lanes could not decide it
+  std::vector<std::size_t> offsets;  ///< rays + 1
 
   std::span<const Interval> of(std::size_t ray) const {
     return std::span(intervals).subspan(offsets[ray], offsets[ray + 1] - offsets[ray]);
@@ -46,20 +45,24 @@ class PacketCaster {
 
   const Scene& scene() const;
 
-  /// The first crossing of each ray in [0, infinity): Caster::first_hit. `hits`: as many as rays.
-  void first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding = Rounding::nearest);
+  /// The first crossing of each ray from 0 to its end: Caster::first_hit. Rays that depart are not asked for it.
+  /// Rounding::close is several times as fast: then t is what double gives (docs/accuracy.md), not the nearest one.
+  void first_hits(const RayArrays& rays, const HitArrays& hits, Rounding rounding = Rounding::nearest);
   /// Whether each ray meets the inside of the solid: Caster::any_hit. 1 or 0, as many as rays.
+  void any_hits(const RayArrays& rays, std::uint8_t* hits);
+  /// All intervals of each ray: Caster::intervals. Overwrites the batch. Rays do not depart from surfaces.
+  void intervals(const RayArrays& rays, IntervalBatch& batch, Rounding rounding = Rounding::nearest);
+  /// What Caster::first_hit and attribute say, for pictures. t: Rounding::close.
+  void first_faces(const RayArrays& rays, const FaceArrays& faces);
+
+  /// The same for rays in [0, infinity), or in a span. `hits`: as many as rays.
+  void first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding = Rounding::nearest);
   void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> hits);
-  /// All intervals of each ray in the span: Caster::intervals. Overwrites the batch.
   void intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span = {},
                  Rounding rounding = Rounding::nearest);
 
-  /// What Caster::first_hit and attribute say, for pictures: t is close to the nearest double, and rays are arrays.
-  void first_faces(const RayArrays& rays, const FaceArrays& faces);
   /// The rays of the last call that lanes could not decide, and that went to the caster: their places in the arrays.
   std::span<const std::uint32_t> left_to_caster() const;
-  /// any_hits for rays as arrays, which may depart from surfaces and end.
-  void any_hits(const RayArrays& rays, std::uint8_t* hits);
 
   PacketCounts counts() const;
   /// What the rays cost that were left to it.

@@ -17,15 +17,20 @@ struct RayArrays {
   const double* end = nullptr;                     ///< the t up to which each ray is asked; null: infinity
 };
 
-/// What rays hit first, as arrays of as many numbers. `leaf` may be null: then it is not asked for.
-struct FaceArrays {
+/// Where rays first cross the solid's boundary, as arrays of as many numbers.
+struct HitArrays {
   enum State : std::uint8_t { none, entry, exit };
 
-  std::uint8_t* state = nullptr;
-  double* t = nullptr;                     ///< Rounding::close
+  std::uint8_t* state = nullptr;     ///< without a hit the other numbers mean nothing
+  double* t = nullptr;               ///< Crossing::t
+  std::uint32_t* surface = nullptr;  ///< SurfaceId
+  std::uint8_t* root = nullptr;      ///< Crossing::root; may be null where t is not rounded
+};
+
+/// And the faces there. `leaf` may be null: then it is not asked for.
+struct FaceArrays : HitArrays {
   double* point[3] = {};                   ///< Attribution::point, ..
   double* normal[3] = {};                  ///< unit, out of the solid
-  std::uint32_t* surface = nullptr;        ///< SurfaceId
   std::uint32_t* look = nullptr;           ///< LookId
   std::uint8_t* comes_positive = nullptr;  ///< Attribution::front is the positive side
   std::uint32_t* leaf = nullptr;           ///< LeafId

@@ -56,6 +56,7 @@ class PacketEngine final : public Engine {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       answers[i].any_hit = any_[i] != 0;
       answers[i].first_hit = first_[i];
+      answers[i].flagged = false;
     }
     ask(rays, {}, answers, &Answers::ray);
     ask(rays, Span::line(), answers, &Answers::line);
@@ -69,9 +70,8 @@ class PacketEngine final : public Engine {
  private:
   void ask(std::span<const Ray> rays, Span span, std::span<Answers> answers, IntervalList Answers::*which) {
     caster_.intervals(rays, batch_, span);
+    for (const std::uint32_t i : caster_.left_to_caster()) answers[i].flagged = true;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      if (which == &Answers::ray) answers[i].flagged = false;
-      answers[i].flagged = answers[i].flagged || batch_.left_to_caster[i] != 0;
       const auto list = batch_.of(i);
       (answers[i].*which).assign(list.begin(), list.end());
     }

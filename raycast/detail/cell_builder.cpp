@@ -80,8 +80,8 @@ CellBuilder::CellBuilder(const Scene& scene, NodeId node) : scene_(scene), whole
     forms_.push_back({surface.local, surface.center});
     data_.surfaces.push_back(make_lane_surface(surface));
     const LaneSurface::Kind kind = data_.surfaces.back().kind;
-    const bool is_cylinder = kind >= LaneSurface::Kind::cylinder_x && kind <= LaneSurface::Kind::cylinder_z;
-    data_.has_cylinders = data_.has_cylinders || is_cylinder;
+    if (is_axis_cylinder(kind)) data_.has_cylinders[axis_of(kind)] = true;
+    if (kind == LaneSurface::Kind::sphere || kind == LaneSurface::Kind::quadric) data_.has_quadrics = true;
   }
   asked_in_.assign(surfaces, 0);
   answer_.assign(surfaces, Sides::both);

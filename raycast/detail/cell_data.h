@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "csg/ids.h"
+#include "csg/vector.h"
 #include "raycast/detail/form_range.h"
 #include "raycast/detail/lane_surface.h"
 
@@ -28,11 +30,22 @@ struct CellNode {
   bool is_end() const { return axis == no_axis; }
 };
 
-/// A surface that crosses a cell, and the face that it makes there.
-struct Slot {
-  std::uint32_t surface = 0;
-  LeafId leaf;  ///< the only one that owns the surface in the cell; not valid if there are more
-  LookId look;  ///< what every face on this surface shows in the cell; not valid if that depends
+/// A surface that crosses a cell, and the face that it makes there. Two words: lanes gather them.
+class Slot {
+ public:
+  Slot() = default;
+  /// `leaf`: the only one that owns the surface in the cell; not valid if there are more. `look`: what every face on
+  /// this surface shows in the cell; not valid if that depends.
+  Slot(SurfaceId surface, LeafId leaf, LookId look)
+      : owner_(surface.index() | std::uint64_t{leaf.index()} << 32), look_(look.index()) {}
+
+  std::uint32_t surface() const { return static_cast<std::uint32_t>(owner_); }
+  std::uint64_t owner() const { return owner_; }  ///< the surface below, the leaf above
+  std::uint64_t look() const { return look_; }
+
+ private:
+  std::uint64_t owner_ = 0;
+  std::uint64_t look_ = 0;
 };
 
 /// One step of the value of a formula over more surfaces than a table holds.
@@ -55,13 +68,26 @@ struct Cell {
   std::uint32_t first_step = 0;
   std::uint16_t step_count = 0;
   std::uint8_t slot_count = 0;
-  bool value = false;         ///< of a cell that no surface crosses
-  bool is_undecided = false;  ///< rays through it are left to the caster
-  bool is_far = false;        ///< infinite, crossed by planes alone
+  std::uint8_t plane_count = 0;  ///< the first slots, whose surfaces a line crosses but once
+  bool value = false;            ///< of a cell that no surface crosses
+  bool is_undecided = false;     ///< rays through it are left to the caster
+  bool is_far = false;           ///< infinite, crossed by planes alone
 };
 
-/// Space in cells, in the frame's coordinates.
+/// By what lanes know how certain events with planes square to an axis of the cells are, and with cylinders along one
+/// (docs/accuracy.md, "Lanes").
+struct AxisBounds {
+  double slack = 96 * 0x1p-53;   ///< of a plane, times the axis' part of the direction
+  double guard = 128 * 0x1p-53;  ///< the distance from a plane below which its side is open
+  double steep = 0x1p-14;        ///< below this the square of the part across an axis makes a ray go along it
+  double off_axis = 0x1p-42;     ///< what a distance squared from an axis may be off, of rays along it
+};
+
+/// Space in cells, in the frame's coordinates, turned.
 struct CellData {
+  bool is_turned = false;
+  std::array<Vector, 3> axes{};  ///< of the cells, in the frame, if turned: unit, square to each other but for rounding
+  AxisBounds axis_bounds;
   CellBox box{};          ///< beyond it there is nothing, unless `reaches_beyond`
   bool is_empty = false;  ///< there is nothing at all
   bool reaches_beyond = false;
@@ -69,8 +95,9 @@ struct CellData {
   std::vector<Cell> cells;
   std::vector<Slot> slots;
   std::vector<Step> steps;
-  std::vector<LaneSurface> surfaces;  ///< by SurfaceId
-  bool has_cylinders = false;         ///< along axes of the frame
+  std::vector<LaneSurface> surfaces;    ///< by SurfaceId
+  std::array<bool, 3> has_cylinders{};  ///< along each axis of the frame
+  bool has_quadrics = false;            ///< spheres and others
 };
 
 }  // namespace csgcast::detail

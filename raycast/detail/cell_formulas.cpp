@@ -154,6 +154,7 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
   cell.slot_count = static_cast<std::uint8_t>(surfaces.size());
   slot_of_surface_.resize(scene_.surfaces().size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (is_plane(data_.surfaces[surfaces[i].index()].kind)) ++cell.plane_count;
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
     data_.slots.push_back(slot_of(formula, surfaces[i]));
   }
@@ -168,8 +169,6 @@ LookId CellBuilder::face_look(const Leaf& leaf, bool one_region) const {
 }
 
 Slot CellBuilder::slot_of(const Formula& formula, SurfaceId surface) const {
-  Slot slot;
-  slot.surface = surface.index();
   bool one_region = true;
   RegionId region;
   for (const Term& term : formula.terms) {
@@ -178,6 +177,8 @@ Slot CellBuilder::slot_of(const Formula& formula, SurfaceId surface) const {
     one_region = one_region && (!region.valid() || region == of_leaf);
     region = of_leaf;
   }
+  LeafId owner;
+  LookId shown;
   std::size_t owners = 0;
   bool one_look = true;
   for (std::size_t i = 0; i < formula.terms.size(); ++i) {
@@ -186,14 +187,12 @@ Slot CellBuilder::slot_of(const Formula& formula, SurfaceId surface) const {
     const auto sides = std::span(formula.terms).subspan(i + 1, term.size - 1);
     if (std::none_of(sides.begin(), sides.end(), [&](const Term& side) { return side.surface() == surface; })) continue;
     const LookId look = face_look(scene_.leaf(LeafId(term.what)), one_region);
-    one_look = one_look && (owners == 0 || look == slot.look) && look.valid();
-    slot.look = look;
-    slot.leaf = LeafId(term.what);
+    one_look = one_look && (owners == 0 || look == shown) && look.valid();
+    shown = look;
+    owner = LeafId(term.what);
     ++owners;
   }
-  if (owners != 1) slot.leaf = {};
-  if (!one_look) slot.look = {};
-  return slot;
+  return {surface, owners == 1 ? owner : LeafId(), one_look ? shown : LookId()};
 }
 
 }  // namespace csgcast::detail

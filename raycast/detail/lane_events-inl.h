@@ -30,15 +30,12 @@ struct Events {
 template <class D>
 struct Departures {
   hn::Mask<D> positive;
-  std::uint32_t surface[16];
+  hn::Vec<BitsOf<D>> surface;
 };
 
 template <class D>
 HWY_INLINE hn::Mask<D> departing_from(D d, const Departures<D>& departures, std::uint32_t surface) {
-  const BitsOf<D> bits;
-  HWY_ALIGN std::uint64_t match[16];
-  for (std::size_t i = 0; i < hn::Lanes(d); ++i) match[i] = departures.surface[i] == surface ? 1 : 0;
-  return hn::RebindMask(d, hn::Ne(hn::Load(bits, match), hn::Zero(bits)));
+  return hn::RebindMask(d, hn::Eq(departures.surface, hn::Set(BitsOf<D>(), surface)));
 }
 
 template <class D>
@@ -51,11 +48,12 @@ template <class D>
 HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const LaneSurface& plane, std::size_t axis,
                                   std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
-  const V near = axis == 0 ? line.near.x : axis == 1 ? line.near.y : line.near.z;
+  const Triples<V>& from = line.walk_near;
+  const V near = axis == 0 ? from.x : axis == 1 ? from.y : from.z;
   const V gap = hn::Sub(hn::Set(d, plane.c[0]), near);
   events.first[i] = hn::Mul(gap, line.axis_inverse[axis]);
-  events.second[i] = hn::Inf(d);
-  events.positive_before[i] = plane.c[1] > 0 ? line.is_negative[axis] : hn::Not(line.is_negative[axis]);
+  const auto falls = hn::Lt(line.axis_inverse[axis], hn::Zero(d));
+  events.positive_before[i] = plane.c[1] > 0 ? falls : hn::Not(falls);
   flag(events, hn::Lt(hn::Abs(gap), line.guard[axis]));
 }
 
@@ -86,7 +84,6 @@ HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const LaneSurface& p
   const auto is_open = hn::Or(hn::Lt(hn::Abs(value), out_of_reach), departing);
   flag(events, hn::And(is_loose, is_open));
   events.first[i] = hn::IfThenElse(departing, hn::Neg(hn::Inf(d)), at);
-  events.second[i] = hn::Inf(d);
   events.positive_before[i] = hn::Lt(slope, hn::Zero(d));
 }
 
@@ -136,12 +133,12 @@ HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& 
 /// A cylinder about a line along an axis of the frame: a circle in the plane of the other two. Rays nearly along the
 /// axis see nothing of it within reach, or are left to the caster.
 template <class D>
-HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const LaneSurface& cylinder, std::size_t axis,
-                                hn::Mask<D> departing, const Departures<D>* departures, std::size_t i,
+HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const AxisBounds& bounds, const LaneSurface& cylinder,
+                                std::size_t axis, hn::Mask<D> departing, const Departures<D>* departures, std::size_t i,
                                 Events<D>& events) {
   using V = hn::Vec<D>;
-  const V near[3] = {line.near.x, line.near.y, line.near.z};
-  const V along[3] = {line.direction.x, line.direction.y, line.direction.z};
+  const V near[3] = {line.walk_near.x, line.walk_near.y, line.walk_near.z};
+  const V along[3] = {line.walk_direction.x, line.walk_direction.y, line.walk_direction.z};
   const std::size_t j = (axis + 1) % 3;
   const std::size_t k = (axis + 2) % 3;
   const V zero = hn::Zero(d);
@@ -164,8 +161,8 @@ HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const LaneSurface
   const auto stays_inside = hn::And(is_steep, hn::Gt(discriminant, zero));
   events.positive_before[i] = outside_is_positive ? hn::Not(stays_inside) : stays_inside;
   const V size = hn::Abs(discriminant);
-  const auto too_thin = hn::Le(size, hn::Mul(hn::Mul(radius_squared, hn::Set(d, 0x1p-17)), inverse));
-  const auto too_near = hn::Le(size, hn::MulAdd(hn::Set(d, 96.0), line.across_size[axis], hn::Set(d, 0x1p-42)));
+  const auto too_thin = hn::Le(size, hn::Mul(hn::Set(d, cylinder.c[4]), inverse));
+  const auto too_near = hn::Le(size, hn::MulAdd(hn::Set(d, 96.0), line.across_size[axis], hn::Set(d, bounds.off_axis)));
   const auto is_open = hn::Or(hn::And(is_steep, too_near), hn::AndNot(is_steep, too_thin));
   events.slack = hn::Max(events.slack, hn::Set(d, greatest_slack));
   if (departures == nullptr) return flag(events, is_open);
@@ -174,7 +171,8 @@ HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const LaneSurface
   depart_from_round(d, line, middle, outside_is_positive, 2 * greatest_slack, departing, *departures, i, events);
 }
 
-/// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin; the operations of quadric_line.h.
+/// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin; the operations of quadric_line.h,
+/// but for sums with terms that are zero.
 template <class D>
 struct QuadraticLanes {
   using V = hn::Vec<D>;
@@ -182,8 +180,9 @@ struct QuadraticLanes {
   Triples<V> start, q;
 };
 
-template <class D, class Coefficients>
-HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Coefficients& k, const Vector& center) {
+template <class D>
+HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Surface::Coefficients& k, bool is_mixed,
+                                       const Vector& center) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto c = [&](std::size_t term) { return hn::Set(d, k[term]); };
@@ -192,6 +191,7 @@ HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Coef
     const auto row = [&](Form::Term own, V x, Form::Term m1, V y, Form::Term m2, V z) {
       return hn::Add(hn::Mul(c(own), x), hn::Mul(half, hn::Add(hn::Mul(c(m1), y), hn::Mul(c(m2), z))));
     };
+    if (!is_mixed) return Triples<V>{hn::Mul(c(Form::xx), v.x), hn::Mul(c(Form::yy), v.y), hn::Mul(c(Form::zz), v.z)};
     return Triples<V>{row(Form::xx, v.x, Form::xy, v.y, Form::xz, v.z),
                       row(Form::yy, v.y, Form::xy, v.x, Form::yz, v.z),
                       row(Form::zz, v.z, Form::xz, v.x, Form::yz, v.y)};
@@ -218,7 +218,7 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface&
                                const Departures<D>* departures, std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
   const QuadraticLanes<D> f =
-      quadratic(d, line, quadric.c, Vector{quadric.center[0], quadric.center[1], quadric.center[2]});
+      quadratic(d, line, quadric.c, quadric.is_mixed, Vector{quadric.center[0], quadric.center[1], quadric.center[2]});
   const auto set = [&](double value) { return hn::Set(d, value); };
   constexpr double u = 0x1p-53 * (1 + 0x1p-20);  // with room for the rounding of the bounds
   const V size = longest(f.q);
@@ -336,7 +336,7 @@ HWY_INLINE void cell_events(D d, const LineLanes<D>& line, const CellData& cells
   events.slack = line.slack;
   events.flagged = nobody;
   for (std::size_t i = 0; i < cell.slot_count; ++i) {
-    const std::uint32_t id = cells.slots[cell.first_slot + i].surface;
+    const std::uint32_t id = cells.slots[cell.first_slot + i].surface();
     const LaneSurface& surface = cells.surfaces[id];
     const auto departing = departures != nullptr ? departing_from(d, *departures, id) : nobody;
     switch (surface.kind) {
@@ -354,9 +354,7 @@ HWY_INLINE void cell_events(D d, const LineLanes<D>& line, const CellData& cells
       case Kind::cylinder_x:
       case Kind::cylinder_y:
       case Kind::cylinder_z:
-        cylinder_events(d, line, surface,
-                        static_cast<std::size_t>(surface.kind) - static_cast<std::size_t>(Kind::cylinder_x), departing,
-                        departures, i, events);
+        cylinder_events(d, line, cells.axis_bounds, surface, axis_of(surface.kind), departing, departures, i, events);
         break;
       case Kind::sphere:
         sphere_events(d, line, surface, departing, departures, i, events);

@@ -16,8 +16,8 @@ namespace HWY_NAMESPACE {
 /// tau of the crossing at which the surface rises or falls, as filtered_plane and filtered_quadric give it
 /// (line_filter.cpp). Precondition: that they are certain, which they are where lanes were.
 template <class D>
-HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> rises,
-                                   hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
+HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, bool is_mixed,
+                                   hn::Mask<D> rises, hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto& k = surface.local;
@@ -27,7 +27,7 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
     is_second = is_open = hn::MaskFromVec(hn::Zero(d));
     return hn::Div(hn::Neg(value), dot(normal, line.direction));
   }
-  const QuadraticLanes<D> f = quadratic(d, line, k, surface.center);
+  const QuadraticLanes<D> f = quadratic(d, line, k, is_mixed, surface.center);
   const V zero = hn::Zero(d);
   const V root = hn::Sqrt(hn::Sub(hn::Mul(f.b, f.b), hn::Mul(f.a, f.c)));
   const V sum = hn::Neg(hn::Add(f.b, hn::CopySign(root, f.b)));
@@ -49,7 +49,7 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
 template <class D>
 HWY_INLINE Triples<hn::Vec<D>> place_of(D d, const LineLanes<D>& line, const Frame& frame, hn::Vec<D> tau) {
   using V = hn::Vec<D>;
-  const V unit = hn::Set(d, std::ldexp(1.0, frame.exponent));
+  const V unit = hn::Set(d, power_of_two(frame.exponent));
   const auto along = [&](V near, V low, V direction, double center) {
     const V q = hn::Add(near, hn::Add(low, hn::Mul(tau, direction)));
     return hn::Add(hn::Set(d, center), hn::Mul(q, unit));
@@ -68,7 +68,7 @@ HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const 
   const auto c = [&](std::size_t term) { return hn::Set(d, surface.local[term]); };
   if (surface.kind == SurfaceKind::plane)
     return {hn::Set(d, lane.center[0]), hn::Set(d, lane.center[1]), hn::Set(d, lane.center[2])};
-  const V to_frame = hn::Set(d, std::ldexp(1.0, -frame.exponent));
+  const V to_frame = hn::Set(d, power_of_two(-frame.exponent));
   const auto local = [&](V x, double center, double own) {
     return hn::Sub(hn::Mul(hn::Sub(x, hn::Set(d, center)), to_frame), hn::Set(d, own));
   };
@@ -83,50 +83,72 @@ HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const 
                                         row(Form::zz, q.z, Form::xz, q.x, Form::yz, q.y, Form::z)});
 }
 
-/// t, places and normals of the hits of one packet, surface by surface. Returns the lanes that need the scalar code.
+/// Whose the hits of a packet are. Invalid ids are all ones.
+template <class U>
+struct Owners {
+  U surface, leaf, look;
+};
+
 template <class D>
-HWY_INLINE hn::Mask<D> tell_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
-                                 hn::Mask<D> hits, const std::uint64_t* slots, hn::Mask<D> rises, hn::Mask<D> enters,
-                                 bool wants_faces, hn::Vec<D>& t, hn::Mask<D>& is_second, Triples<hn::Vec<D>>& place,
-                                 Triples<hn::Vec<D>>& normal) {
+HWY_INLINE Owners<hn::Vec<BitsOf<D>>> owners_of(D, const CellData& cells, hn::Vec<BitsOf<D>> slot) {
+  const BitsOf<D> bits;
+  const hn::RebindToSigned<D> whole;
+  const auto offset = hn::BitCast(whole, hn::ShiftLeft<4>(slot));
+  static_assert(sizeof(Slot) == 16);
+  // A slot's two words.
+  const auto* words = reinterpret_cast<const std::uint64_t*>(cells.slots.data());
+  const auto owner = hn::GatherOffset(bits, words, offset);
+  const auto look = hn::GatherOffset(bits, words + 1, offset);
+  return {hn::And(owner, hn::Set(bits, 0xffffffffu)), hn::ShiftRight<32>(owner), look};
+}
+
+/// What is told of a packet's hits.
+template <class D>
+struct Told {
+  using V = hn::Vec<D>;
+  V t;
+  hn::Mask<D> second;  ///< Crossing::root
+  hn::Mask<D> left;    ///< lanes that need the scalar code
+  Triples<V> place, normal;
+};
+
+/// t, places and normals of the hits of one packet, surface by surface.
+template <class D>
+HWY_INLINE void tell_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line, hn::Mask<D> hits,
+                          hn::Vec<BitsOf<D>> surfaces, hn::Mask<D> rises, hn::Mask<D> enters, bool wants_faces,
+                          Told<D>& told) {
   using V = hn::Vec<D>;
   const BitsOf<D> bits;
   HWY_ALIGN std::uint64_t ids[16];
-  for (std::size_t i = 0; i < hn::Lanes(d); ++i) ids[i] = cells.slots[slots[i]].surface;
-  const auto surface_of = hn::Load(bits, ids);
-  V tau = hn::Zero(d);
-  is_second = hn::MaskFromVec(tau);
-  hn::Mask<D> open = is_second;
+  hn::Store(surfaces, bits, ids);
   const V zero = hn::Zero(d);
-  normal = {zero, zero, zero};
-  place = {zero, zero, zero};
+  V tau = zero;
+  told.second = told.left = hn::MaskFromVec(zero);
+  told.normal = told.place = {zero, zero, zero};
   for (auto rest = hits; !hn::AllFalse(d, rest);) {
     const std::uint64_t id = ids[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
-    const auto same = hn::And(rest, hn::RebindMask(d, hn::Eq(surface_of, hn::Set(bits, id))));
+    const auto same = hn::And(rest, hn::RebindMask(d, hn::Eq(surfaces, hn::Set(bits, id))));
     rest = hn::AndNot(same, rest);
     const Surface& surface = scene.surfaces()[id];
+    const LaneSurface& lane = cells.surfaces[id];
     hn::Mask<D> second, is_open;
-    const V own = crossing_tau(d, line, surface, rises, second, is_open);
-    open = hn::Or(open, hn::And(same, is_open));
-    is_second = hn::Or(is_second, hn::And(same, second));
+    const V own = crossing_tau(d, line, surface, lane.is_mixed, rises, second, is_open);
+    told.left = hn::Or(told.left, hn::And(same, is_open));
+    told.second = hn::Or(told.second, hn::And(same, second));
     tau = hn::IfThenElse(same, own, tau);
     if (!wants_faces) continue;
     const auto p = place_of(d, line, scene.frame(), own);
-    const auto n = unit_gradient(d, surface, cells.surfaces[id], scene.frame(), p);
-    place = {hn::IfThenElse(same, p.x, place.x), hn::IfThenElse(same, p.y, place.y),
-             hn::IfThenElse(same, p.z, place.z)};
-    normal = {hn::IfThenElse(same, n.x, normal.x), hn::IfThenElse(same, n.y, normal.y),
-              hn::IfThenElse(same, n.z, normal.z)};
+    const auto n = unit_gradient(d, surface, lane, scene.frame(), p);
+    told.place = choose(same, p, told.place);
+    told.normal = choose(same, n, told.normal);
   }
+  told.t = hn::Mul(hn::Add(line.shift, tau), line.unit);
+  if (!wants_faces) return;
+  told.left = hn::Or(told.left, hn::And(hits, hn::Eq(longest(told.normal), zero)));
+  told.left = hn::Or(told.left, hn::And(hits, hn::Not(hn::Lt(longest(told.place), hn::Set(d, 0x1p1000)))));
   // The solid's outside is on the positive side where the ray enters and falls, or leaves and rises.
   const auto outside_is_positive = hn::Xor(enters, rises);
-  const auto turned = [&](V n) { return hn::IfThenElse(outside_is_positive, n, hn::Neg(n)); };
-  t = hn::Mul(hn::Add(line.shift, tau), line.unit);
-  if (!wants_faces) return open;
-  open = hn::Or(open, hn::And(hits, hn::Eq(longest(normal), zero)));
-  open = hn::Or(open, hn::And(hits, hn::Not(hn::Lt(longest(place), hn::Set(d, 0x1p1000)))));
-  normal = {turned(normal.x), turned(normal.y), turned(normal.z)};
-  return open;
+  told.normal = choose(outside_is_positive, told.normal, -told.normal);
 }
 
 }  // namespace HWY_NAMESPACE

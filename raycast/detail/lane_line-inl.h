@@ -14,6 +14,8 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using csgcast::HWY_NAMESPACE::biased_exponent;
 using csgcast::HWY_NAMESPACE::BitsOf;
+using csgcast::HWY_NAMESPACE::choose;
+using csgcast::HWY_NAMESPACE::in_all_lanes;
 using csgcast::HWY_NAMESPACE::load_lanes;
 using csgcast::HWY_NAMESPACE::normalised_lanes;
 using csgcast::HWY_NAMESPACE::power_of_biased;
@@ -61,33 +63,68 @@ HWY_INLINE Exact<hn::Vec<D>> two_product(D d, hn::Vec<D> a, hn::Vec<D> b) {
 #endif
 }
 
+/// 2^n, of a normal double.
+inline double power_of_two(int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52); }
+
 template <class D>
 struct LineLanes {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
 
   Triples<V> near, low, direction;
-  V direction_squared, inverse_squared, shift, unit;
+  V direction_squared, inverse_squared;  ///< if the scene has quadrics
+  V shift, unit;
   V near_error;  ///< a bound for what each coordinate of `near` is off
 
-  V axis_inverse[3];    ///< of direction; huge where it is zero
+  Triples<V> walk_near, walk_direction;  ///< in the axes of the cells
+  V axis_inverse[3];                     ///< of walk_direction; huge where it is zero
   V across_inverse[3];  ///< 1 / (direction_squared less the axis' own part); 0 for rays nearly along the axis
   V across_size[3];     ///< the root of that part, for these rays; else -1
-  V guard[3];           ///< how near a plane square to the axis must be to be left to the caster; below 0: never
-  M is_negative[3];
-  V start, end;  ///< tau
-  V end_error;   ///< four times what the end is off
-  V slack;       ///< four times what an event with a plane square to an axis may be off
+  V guard[3];           ///< how near a plane square to an axis must be to be left to the caster; below 0: never
+  V start, end;         ///< tau
+  V end_error;          ///< four times what the end is off
+  V slack;              ///< four times what an event with a plane square to an axis may be off
   M valid;
 };
 
+/// Where the line is nearest the frame's center, or starts if that is near.
+template <class D>
+HWY_INLINE void set_near(D d, const Frame& frame, const Triples<hn::Vec<D>>& o, LineLanes<D>& line) {
+  using V = hn::Vec<D>;
+  const V to_frame = hn::Set(d, power_of_two(-frame.exponent));
+  const auto x = two_sum(o.x, hn::Set(d, -frame.center.x));
+  const auto y = two_sum(o.y, hn::Set(d, -frame.center.y));
+  const auto z = two_sum(o.z, hn::Set(d, -frame.center.z));
+  line.near = {hn::Mul(x.high, to_frame), hn::Mul(y.high, to_frame), hn::Mul(z.high, to_frame)};
+  line.low = {hn::Mul(x.low, to_frame), hn::Mul(y.low, to_frame), hn::Mul(z.low, to_frame)};
+  line.shift = hn::Zero(d);
+  const V size = longest(line.near);
+  const auto is_far = hn::Gt(size, hn::Set(d, 2.0));
+  if (!hn::AllFalse(d, is_far)) {
+    const V inverse = hn::Div(hn::Set(d, 1.0), dot(line.direction, line.direction));
+    line.shift = hn::IfThenElseZero(is_far, hn::Mul(hn::Neg(dot(line.near, line.direction)), inverse));
+    const auto move = [&](V along, V& near, V& low) {
+      const auto step = two_product(d, line.shift, along);
+      const auto sum = two_sum(near, step.high);
+      const auto at = fast_two_sum(sum.high, hn::Add(sum.low, hn::Add(step.low, low)));
+      near = at.high;
+      low = at.low;
+    };
+    move(line.direction.x, line.near.x, line.low.x);
+    move(line.direction.y, line.near.y, line.low.y);
+    move(line.direction.z, line.near.z, line.low.z);
+  }
+  const V reach = hn::Add(size, hn::Mul(hn::Set(d, 2.0), hn::Abs(line.shift)));
+  const V low_error = hn::Add(hn::Mul(hn::Set(d, 0x8p-106), reach), hn::Set(d, 0x1p-1000));
+  line.near_error = hn::Add(hn::Mul(hn::Set(d, 0x1p-53), longest(line.near)), low_error);
+}
+
 /// The line in its frame, as LineFrame makes it.
 template <class D>
-HWY_INLINE void set_line(D d, const Frame& frame, const RayArrays& rays, std::size_t first, std::size_t count,
-                         LineLanes<D>& line) {
+HWY_INLINE void set_line(D d, const Frame& frame, const CellData& cells, const RayArrays& rays, std::size_t first,
+                         std::size_t count, LineLanes<D>& line) {
   using V = hn::Vec<D>;
   const BitsOf<D> bits;
-  const Triples<V> o = load_lanes(d, rays.origin, first, count);
   const Triples<V> v = load_lanes(d, rays.direction, first, count);
   const auto exponent = biased_exponent(d, longest(v));
   const V scale = power_of_biased(d, hn::Sub(hn::Set(bits, 2046u), exponent));
@@ -97,31 +134,11 @@ HWY_INLINE void set_line(D d, const Frame& frame, const RayArrays& rays, std::si
   line.valid =
       hn::And(hn::And(scales(line.direction.x, v.x), scales(line.direction.y, v.y)), scales(line.direction.z, v.z));
   line.unit = power_of_biased(d, hn::Sub(hn::Set(bits, static_cast<std::uint64_t>(2046 + frame.exponent)), exponent));
-  line.direction_squared = dot(line.direction, line.direction);
-  line.inverse_squared = hn::Div(hn::Set(d, 1.0), line.direction_squared);
-
-  const V to_frame = hn::Set(d, std::ldexp(1.0, -frame.exponent));
-  const auto x = two_sum(o.x, hn::Set(d, -frame.center.x));
-  const auto y = two_sum(o.y, hn::Set(d, -frame.center.y));
-  const auto z = two_sum(o.z, hn::Set(d, -frame.center.z));
-  const Triples<V> high{hn::Mul(x.high, to_frame), hn::Mul(y.high, to_frame), hn::Mul(z.high, to_frame)};
-  const Triples<V> low{hn::Mul(x.low, to_frame), hn::Mul(y.low, to_frame), hn::Mul(z.low, to_frame)};
-  const V size = longest(high);
-  const V approach = hn::Mul(hn::Neg(dot(high, line.direction)), line.inverse_squared);
-  line.shift = hn::IfThenElseZero(hn::Gt(size, hn::Set(d, 2.0)), approach);
-  const auto place = [&](V from, V rest, V along, V& near, V& near_low) {
-    const auto step = two_product(d, line.shift, along);
-    const auto sum = two_sum(from, step.high);
-    const auto at = fast_two_sum(sum.high, hn::Add(sum.low, hn::Add(step.low, rest)));
-    near = at.high;
-    near_low = at.low;
-  };
-  place(high.x, low.x, line.direction.x, line.near.x, line.low.x);
-  place(high.y, low.y, line.direction.y, line.near.y, line.low.y);
-  place(high.z, low.z, line.direction.z, line.near.z, line.low.z);
-  const V reach = hn::Add(size, hn::Mul(hn::Set(d, 2.0), hn::Abs(line.shift)));
-  const V low_error = hn::Add(hn::Mul(hn::Set(d, 0x8p-106), reach), hn::Set(d, 0x1p-1000));
-  line.near_error = hn::Add(hn::Mul(hn::Set(d, 0x1p-53), longest(line.near)), low_error);
+  if (cells.has_quadrics) {
+    line.direction_squared = dot(line.direction, line.direction);
+    line.inverse_squared = hn::Div(hn::Set(d, 1.0), line.direction_squared);
+  }
+  set_near(d, frame, load_lanes(d, rays.origin, first, count), line);
 }
 
 /// 1 / v; of zero a number so large that a product with anything but zero is out of the way.
@@ -131,38 +148,49 @@ HWY_INLINE hn::Vec<D> inverse_of(D d, hn::Vec<D> v) {
   return hn::Div(hn::Set(d, 1.0), hn::IfThenElse(hn::Lt(hn::Abs(v), least), least, v));
 }
 
+/// A vector in the axes of the cells.
+template <class D>
+HWY_INLINE Triples<hn::Vec<D>> turned(D d, const std::array<Vector, 3>& axes, const Triples<hn::Vec<D>>& v) {
+  return {dot(in_all_lanes(d, axes[0]), v), dot(in_all_lanes(d, axes[1]), v), dot(in_all_lanes(d, axes[2]), v)};
+}
+
 /// What walks and tests need besides.
 template <class D>
 HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, std::size_t first, std::size_t count,
                              LineLanes<D>& line) {
   using V = hn::Vec<D>;
   const V zero = hn::Zero(d);
-  const V u = hn::Set(d, 0x1p-53);
-  const V along[3] = {line.direction.x, line.direction.y, line.direction.z};
+  const AxisBounds& bounds = cells.axis_bounds;
+  line.walk_near = line.near;
+  line.walk_direction = line.direction;
+  if (cells.is_turned) {
+    line.walk_near = turned(d, cells.axes, line.near);
+    line.walk_direction = turned(d, cells.axes, line.direction);
+  }
+  const V along[3] = {line.walk_direction.x, line.walk_direction.y, line.walk_direction.z};
   V slack = hn::Set(d, 0x1p-46);
-  for (int axis = 0; axis < 3; ++axis) {
-    line.axis_inverse[axis] = inverse_of(d, along[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     // By the inverse: what is as good as zero counts as positive throughout.
-    line.is_negative[axis] = hn::Lt(line.axis_inverse[axis], zero);
-    const V off = hn::Mul(hn::Mul(hn::Set(d, 96.0), u), hn::Abs(line.axis_inverse[axis]));
+    line.axis_inverse[axis] = inverse_of(d, along[axis]);
+    const V off = hn::Mul(hn::Set(d, bounds.slack), hn::Abs(line.axis_inverse[axis]));
     const auto is_loose = hn::Gt(off, hn::Set(d, greatest_slack));
     slack = hn::Max(slack, hn::IfThenZeroElse(is_loose, off));
-    const V guard = hn::Max(hn::Mul(hn::Set(d, 128.0), u), hn::Mul(hn::Set(d, 8.5), hn::Abs(along[axis])));
+    const V guard = hn::Max(hn::Set(d, bounds.guard), hn::Mul(hn::Set(d, 8.5), hn::Abs(along[axis])));
     line.guard[axis] = hn::IfThenElse(is_loose, guard, hn::Set(d, -1.0));
   }
   line.slack = slack;
-  if (cells.has_cylinders) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const V i = along[(axis + 1) % 3];
-      const V j = along[(axis + 2) % 3];
-      const V across = hn::MulAdd(i, i, hn::Mul(j, j));
-      const auto is_steep = hn::Lt(across, hn::Set(d, 0x1p-14));
-      line.across_inverse[axis] = hn::IfThenZeroElse(is_steep, hn::Div(hn::Set(d, 1.0), across));
-      line.across_size[axis] = hn::IfThenElse(is_steep, hn::Sqrt(across), hn::Set(d, -1.0));
-    }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!cells.has_cylinders[axis]) continue;
+    const V i = along[(axis + 1) % 3];
+    const V j = along[(axis + 2) % 3];
+    const V across = hn::MulAdd(i, i, hn::Mul(j, j));
+    const auto is_steep = hn::Lt(across, hn::Set(d, bounds.steep));
+    line.across_inverse[axis] = hn::IfThenZeroElse(is_steep, hn::Div(hn::Set(d, 1.0), across));
+    line.across_size[axis] = hn::Set(d, -1.0);
+    if (!hn::AllFalse(d, is_steep))
+      line.across_size[axis] = hn::IfThenElse(is_steep, hn::Sqrt(across), line.across_size[axis]);
   }
-  line.start = hn::Neg(line.shift);
-  if (rays.whole_line) line.start = hn::Neg(hn::Inf(d));
+  line.start = rays.whole_line ? hn::Neg(hn::Inf(d)) : hn::Neg(line.shift);
   line.end = hn::Inf(d);
   line.end_error = zero;
   if (rays.end != nullptr) {

@@ -77,7 +77,7 @@ LaneSurface cylinder(const Surface& surface, std::size_t axis) {
   const double radius_squared = dot(to_center, to_center) - k[Form::one] / a;
   if (!(radius_squared > 0x1p-40) || !(radius_squared < 1) || !(longest(center) < 1)) return lane;
   lane.kind = static_cast<LaneSurface::Kind>(static_cast<std::size_t>(LaneSurface::Kind::cylinder_x) + axis);
-  lane.c = {center.x, center.y, center.z, radius_squared, 0, a > 0 ? 1.0 : -1.0};
+  lane.c = {center.x, center.y, center.z, radius_squared, 0x1p-17 * radius_squared, a > 0 ? 1.0 : -1.0};
   return lane;
 }
 
@@ -94,9 +94,7 @@ LaneSurface quadric(const Surface& surface) {
   return lane;
 }
 
-}  // namespace
-
-LaneSurface make_lane_surface(const Surface& surface) {
+LaneSurface kind_of(const Surface& surface) {
   if (!surface.in_range) return {};
   if (surface.kind == SurfaceKind::plane) return plane(surface);
   if (is_sphere(surface.local)) {
@@ -108,6 +106,15 @@ LaneSurface make_lane_surface(const Surface& surface) {
     if (lane.kind != LaneSurface::Kind::undecided) return lane;
   }
   return quadric(surface);
+}
+
+}  // namespace
+
+LaneSurface make_lane_surface(const Surface& surface) {
+  LaneSurface lane = kind_of(surface);
+  const auto& k = surface.local;
+  lane.is_mixed = k[Form::xy] != 0 || k[Form::xz] != 0 || k[Form::yz] != 0;
+  return lane;
 }
 
 }  // namespace csgcast::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "raycast/surface.h"
@@ -15,7 +16,7 @@ struct LaneSurface {
     plane_y,
     plane_z,
     plane,       ///< c[0..2] normal, c[3] constant, c[4] what its crossings are off times |slope|, c[5] of its value
-    cylinder_x,  ///< about a line along an axis: c[0..2] center, c[3] radius², c[5] as of a sphere
+    cylinder_x,  ///< about a line along an axis: c[0..2] center, c[3] radius², c[4], c[5] as of a sphere
     cylinder_y,
     cylinder_z,
     sphere,   ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
@@ -29,7 +30,19 @@ struct LaneSurface {
   double first_degree = 0;
   double constant = 0;
   Kind kind = Kind::undecided;
+  bool is_mixed = false;  ///< of a quadric: it has terms xy, xz or yz
 };
+
+/// Kinds are in order: planes first.
+constexpr bool is_plane(LaneSurface::Kind kind) { return kind <= LaneSurface::Kind::plane; }
+constexpr bool is_axis_cylinder(LaneSurface::Kind kind) {
+  return kind >= LaneSurface::Kind::cylinder_x && kind <= LaneSurface::Kind::cylinder_z;
+}
+/// Of a plane square to an axis, or of a cylinder along one.
+constexpr std::size_t axis_of(LaneSurface::Kind kind) {
+  return static_cast<std::size_t>(kind) -
+         (is_plane(kind) ? std::size_t{0} : static_cast<std::size_t>(LaneSurface::Kind::cylinder_x));
+}
 
 LaneSurface make_lane_surface(const Surface& surface);
 

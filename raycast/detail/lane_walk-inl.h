@@ -14,11 +14,47 @@ namespace HWY_NAMESPACE {
 
 enum class Wanted : std::uint8_t { first, any, all };
 
-/// The ends of the intervals of a packet's rays, in order.
-struct LaneEnds {
-  std::size_t count[16];
-  std::uint32_t slot[16][most_lane_ends];
-  bool rises[16][most_lane_ends];
+/// The ends of intervals that a packet's rays met, in order: each row is what some of its lanes met at once.
+template <class D>
+class EndLog {
+ public:
+  using Bits = BitsOf<D>;
+
+  EndLog() : lanes_(hn::Lanes(D())) { reserve(64); }
+
+  void clear() { rows_ = 0; }
+
+  /// `where`: SurfaceId below, Crossing::root above.
+  HWY_INLINE void add(hn::Mask<D> lanes, hn::Vec<D> t, hn::Vec<Bits> where) {
+    const D d;
+    if (rows_ == masks_.size()) reserve(2 * rows_);
+    hn::StoreU(t, d, t_.data() + rows_ * lanes_);
+    hn::StoreU(where, Bits(), where_.data() + rows_ * lanes_);
+    std::uint8_t mask[8];
+    hn::StoreMaskBits(d, lanes, mask);
+    masks_[rows_++] = mask[0];
+  }
+
+  std::size_t rows() const { return rows_; }
+  unsigned mask(std::size_t row) const { return masks_[row]; }
+  Crossing at(std::size_t row, std::size_t lane) const {
+    const std::uint64_t where = where_[row * lanes_ + lane];
+    return {t_[row * lanes_ + lane], SurfaceId(static_cast<std::uint32_t>(where)),
+            static_cast<std::uint8_t>(where >> 32)};
+  }
+
+ private:
+  void reserve(std::size_t rows) {
+    t_.resize(rows * lanes_);
+    where_.resize(rows * lanes_);
+    masks_.resize(rows);
+  }
+
+  std::size_t lanes_;
+  std::size_t rows_ = 0;
+  std::vector<double> t_;
+  std::vector<std::uint64_t> where_;
+  std::vector<std::uint8_t> masks_;
 };
 
 /// One packet's way through the cells. A lane is live until its answer is known; what happens to it is in `fate`.
@@ -30,9 +66,9 @@ class Walk {
   using Bits = BitsOf<D>;
   using U = hn::Vec<Bits>;
 
-  Walk(const CellData& cells, const LineLanes<D>& line, const Departures<D>* departures, LaneEnds* ends,
-       PacketCounts& counts)
-      : cells_(cells), line_(line), departures_(departures), ends_(ends), counts_(counts) {}
+  Walk(const Scene& scene, const CellData& cells, const LineLanes<D>& line, const Departures<D>* departures,
+       EndLog<D>* ends, PacketCounts& counts)
+      : scene_(scene), cells_(cells), line_(line), departures_(departures), ends_(ends), counts_(counts) {}
 
   /// `lanes`: those that hold a ray.
   HWY_INLINE void run(M lanes) {
@@ -41,8 +77,9 @@ class Walk {
     flagged_ = hn::AndNot(line_.valid, lanes);
     live_ = hn::And(lanes, line_.valid);
     found_ = begun_ = now_inside_ = started_inside_ = hn::MaskFromVec(zero);
-    if constexpr (wanted == Wanted::all) std::fill_n(ends_->count, hn::Lanes(d), std::size_t{0});
-    slot_ = rises_ = hn::Zero(Bits());
+    if constexpr (wanted == Wanted::all) ends_->clear();
+    slot_ = count_ = hn::Zero(Bits());
+    rises_ = found_;
     V from = line_.start;
     V to = line_.end;
     if (cells_.is_empty) return;
@@ -73,10 +110,13 @@ class Walk {
   M inside() const { return now_inside_; }  ///< of those: that are inside right after
   M started_inside() const { return started_inside_; }
   U slot() const { return slot_; }
-  U rises() const { return rises_; }  ///< not zero: the surface turns positive
+  M rises() const { return rises_; }  ///< the surface turns positive
+  U end_count() const { return count_; }
 
  private:
-  HWY_INLINE V near(unsigned axis) const { return axis == 0 ? line_.near.x : axis == 1 ? line_.near.y : line_.near.z; }
+  HWY_INLINE V near(unsigned axis) const {
+    return axis == 0 ? line_.walk_near.x : axis == 1 ? line_.walk_near.y : line_.walk_near.z;
+  }
 
   HWY_INLINE unsigned signs_of(std::size_t lane) const {
     const D d;
@@ -194,8 +234,10 @@ class Walk {
     V next = never;
     for (std::size_t i = 0; i < cell.slot_count; ++i) {
       const V first = events_.first[i];
-      const V second = events_.second[i];
       next = hn::Min(next, hn::IfThenElse(hn::Gt(first, at), first, never));
+    }
+    for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i) {
+      const V second = events_.second[i];
       next = hn::Min(next, hn::IfThenElse(hn::Gt(second, at), second, never));
     }
     return next;
@@ -204,12 +246,14 @@ class Walk {
   HWY_INLINE U state_at(const Cell& cell, V at) const {
     const Bits bits;
     U state = hn::Zero(bits);
-    for (std::size_t i = 0; i < cell.slot_count; ++i) {
-      const M passed = hn::Xor(hn::Le(events_.first[i], at), hn::Le(events_.second[i], at));
+    const auto add = [&](std::size_t i, M passed) {
       const M positive = hn::Xor(passed, events_.positive_before[i]);
       const U bit = hn::Set(bits, std::uint64_t{1} << i);
       state = hn::Or(state, hn::IfThenElseZero(hn::RebindMask(bits, positive), bit));
-    }
+    };
+    std::size_t i = 0;
+    for (; i < cell.plane_count; ++i) add(i, hn::Le(events_.first[i], at));
+    for (; i < cell.slot_count; ++i) add(i, hn::Xor(hn::Le(events_.first[i], at), hn::Le(events_.second[i], at)));
     return state;
   }
 
@@ -328,33 +372,35 @@ class Walk {
     if (hn::AllFalse(D(), changes)) return;
     const auto lanes = hn::RebindMask(bits, changes);
     const U index = logarithm(flips);
-    if constexpr (wanted == Wanted::all) return append(cell, changes, index, hn::And(flips, after));
+    const M rises = hn::RebindMask(D(), hn::Ne(hn::And(flips, after), hn::Zero(bits)));
+    if constexpr (wanted == Wanted::all) return append(cell, changes, index, rises);
     slot_ = hn::IfThenElse(lanes, hn::Add(hn::Set(bits, cell.first_slot), index), slot_);
-    rises_ = hn::IfThenElse(lanes, hn::And(flips, after), rises_);
+    rises_ = hn::Or(rises_, hn::And(changes, rises));
     found_ = hn::Or(found_, changes);
     live_ = hn::AndNot(changes, live_);
   }
 
-  void append(const Cell& cell, M changes, U index, U rises) {
+  void append(const Cell& cell, M changes, U index, M rises) {
     const D d;
     const Bits bits;
-    HWY_ALIGN std::uint64_t slots[16];
-    HWY_ALIGN std::uint64_t rising[16];
-    HWY_ALIGN std::uint8_t mask[8];
-    hn::Store(index, bits, slots);
-    hn::Store(rises, bits, rising);
-    hn::StoreMaskBits(d, changes, mask);
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-      if (((mask[0] >> lane) & 1) == 0) continue;
-      const std::size_t n = ends_->count[lane];
-      if (n == most_lane_ends) {
-        flag(hn::Eq(hn::Iota(d, 0), hn::Set(d, static_cast<double>(lane))));
-        continue;
-      }
-      ends_->slot[lane][n] = static_cast<std::uint32_t>(cell.first_slot + slots[lane]);
-      ends_->rises[lane][n] = rising[lane] != 0;
-      ++ends_->count[lane];
+    HWY_ALIGN std::uint64_t indices[16];
+    hn::Store(index, bits, indices);
+    V t = hn::Zero(d);
+    U where = hn::Zero(bits);
+    for (M rest = changes; !hn::AllFalse(d, rest);) {
+      const std::uint64_t i = indices[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
+      const M same = hn::And(rest, hn::RebindMask(d, hn::Eq(index, hn::Set(bits, i))));
+      rest = hn::AndNot(same, rest);
+      const std::uint32_t id = cells_.slots[cell.first_slot + i].surface();
+      M second, is_open;
+      const V tau = crossing_tau(d, line_, scene_.surfaces()[id], cells_.surfaces[id].is_mixed, rises, second, is_open);
+      flag(hn::And(same, is_open));
+      t = hn::IfThenElse(same, hn::Mul(hn::Add(line_.shift, tau), line_.unit), t);
+      const U root = hn::IfThenElseZero(hn::RebindMask(bits, second), hn::Set(bits, std::uint64_t{1} << 32));
+      where = hn::IfThenElse(hn::RebindMask(bits, same), hn::Or(hn::Set(bits, id), root), where);
     }
+    ends_->add(changes, t, where);
+    count_ = hn::Add(count_, hn::IfThenElseZero(hn::RebindMask(bits, changes), hn::Set(bits, 1)));
   }
 
   /// The logarithm of a power of two below 2^63: the exponent of the same number as a double.
@@ -367,14 +413,15 @@ class Walk {
 
   static constexpr std::size_t most_depth = 72;
 
+  const Scene& scene_;
   const CellData& cells_;
   const LineLanes<D>& line_;
   const Departures<D>* departures_;
-  LaneEnds* ends_;
+  EndLog<D>* ends_;
   PacketCounts& counts_;
   Events<D> events_;
-  M live_, flagged_, found_, begun_, now_inside_, started_inside_;
-  U slot_, rises_;
+  M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_;
+  U slot_, count_;
 };
 
 }  // namespace HWY_NAMESPACE

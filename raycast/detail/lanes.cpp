@@ -26,51 +26,10 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-template <class D>
-HWY_INLINE void set_departures(D d, const RayArrays& rays, std::size_t first, std::size_t count,
-                               Departures<D>& departures) {
-  const BitsOf<D> bits;
-  HWY_ALIGN std::uint64_t positive[16];
-  for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
-    const std::size_t ray = first + (i < count ? i : count - 1);
-    departures.surface[i] = rays.departure[ray];
-    positive[i] = rays.departs_positive[ray];
-  }
-  departures.positive = hn::RebindMask(d, hn::Ne(hn::Load(bits, positive), hn::Zero(bits)));
-}
-
-template <class D>
-HWY_INLINE bool has(D, const std::uint8_t* mask, std::size_t lane) {
-  return ((mask[0] >> lane) & 1) != 0;
-}
-
-/// What a packet's rays found, in memory. A bit a lane in masks.
-struct Outcome {
-  HWY_ALIGN std::uint64_t slots[16];
-  HWY_ALIGN std::uint64_t rises[16];
-  std::uint8_t left[8];
-  std::uint8_t found[8];
-  std::uint8_t inside[8];
-  std::uint8_t second[8];
-};
-
-/// Whose faces the packet's hits are. Lanes whose look or leaf depends on more than the cell are left.
-template <class D>
-HWY_INLINE void store_owners(D d, const CellData& cells, const LaneHits& hits, std::size_t first, std::size_t count,
-                             Outcome& outcome) {
-  const FaceArrays& faces = hits.faces;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!has(d, outcome.found, i)) continue;
-    const Slot& slot = cells.slots[outcome.slots[i]];
-    faces.surface[first + i] = slot.surface;
-    faces.comes_positive[first + i] = outcome.rises[i] != 0 ? 0 : 1;
-    if (hits.root != nullptr) hits.root[first + i] = has(d, outcome.second, i) ? 1 : 0;
-    if (faces.look == nullptr) continue;
-    faces.look[first + i] = slot.look.index();
-    if (faces.leaf != nullptr) faces.leaf[first + i] = slot.leaf.index();
-    const bool is_known = slot.look.valid() && (faces.leaf == nullptr || slot.leaf.valid());
-    if (!is_known) outcome.left[0] = static_cast<std::uint8_t>(outcome.left[0] | (1u << i));
-  }
+/// The low bits of eight bytes, the first one lowest.
+HWY_INLINE std::uint8_t bits_of(std::uint64_t bytes) {
+  // Each byte's bit comes to its own place in the top byte.
+  return static_cast<std::uint8_t>((bytes & 0x0101010101010101u) * 0x0102040810204080u >> 56);
 }
 
 /// A byte of 1 or 0 for each of eight bits, the lowest first.
@@ -80,46 +39,86 @@ HWY_INLINE std::uint64_t bytes_of(unsigned bits) {
   return ((own + 0x7f7f7f7f7f7f7f7fu) | own) >> 7 & 0x0101010101010101u;
 }
 
-HWY_INLINE void store_states(const LaneHits& hits, std::size_t first, std::size_t count, const Outcome& outcome,
-                             PacketCounts& counts) {
-  const unsigned found = outcome.found[0];
-  const unsigned inside = outcome.inside[0];
-  // FaceArrays::entry is 1, exit 2.
-  const std::uint64_t states = bytes_of(found) + bytes_of(found & ~inside);
-  std::memcpy(hits.faces.state + first, &states, count);
-  for (unsigned left = outcome.left[0]; left != 0; left &= left - 1) {
-    hits.left->push_back(static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(__builtin_ctz(left)));
-    ++counts.flagged;
-  }
+template <class D>
+HWY_INLINE unsigned bits_of(D d, hn::Mask<D> mask) {
+  std::uint8_t bits[8];
+  hn::StoreMaskBits(d, mask, bits);
+  return bits[0];
 }
 
-/// t of the packet's hits, and places and normals if they are wanted. Returns the lanes that are left.
 template <class D>
-HWY_INLINE hn::Mask<D> store_faces(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
-                                   hn::Mask<D> found, hn::Mask<D> inside, Outcome& outcome, std::size_t first,
-                                   std::size_t count, const LaneHits& hits) {
+HWY_INLINE void set_departures(D d, const RayArrays& rays, std::size_t first, std::size_t count,
+                               Departures<D>& departures) {
+  const hn::Rebind<std::uint32_t, D> half;
+  std::uint32_t surfaces[8];
+  const std::uint32_t* from = rays.departure + first;
+  if (count < hn::Lanes(d)) {
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) surfaces[i] = from[i < count ? i : count - 1];
+    from = surfaces;
+  }
+  departures.surface = hn::PromoteTo(BitsOf<D>(), hn::LoadU(half, from));
+  std::uint64_t sides = 0;
+  std::memcpy(&sides, rays.departs_positive + first, count);
+  const std::uint8_t positive[8] = {bits_of(sides)};
+  departures.positive = hn::LoadMaskBits(d, positive);
+}
+
+/// Numbers below 2^32 as such, of the first `count` lanes.
+template <class D>
+HWY_INLINE void store_ids(D, hn::Vec<BitsOf<D>> ids, std::uint32_t* to, std::size_t count) {
+  const hn::Rebind<std::uint32_t, D> half;
+  const auto narrow = hn::TruncateTo(half, ids);
+  if (count >= hn::Lanes(half)) return hn::StoreU(narrow, half, to);
+  std::uint32_t buffer[8];
+  hn::StoreU(narrow, half, buffer);
+  std::copy_n(buffer, count, to);
+}
+
+HWY_INLINE void store_bytes(unsigned bits, std::uint8_t* to, std::size_t count) {
+  const std::uint64_t bytes = bytes_of(bits);
+  std::memcpy(to, &bytes, count);
+}
+
+/// What a packet's rays found first. Returns the lanes of which not all is known: whose look or leaf depends on more
+/// than the cell, or whose numbers need the scalar code.
+template <class D>
+HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
+                                  const Walk<D, Wanted::first>& walk, hn::Mask<D> found, std::size_t first,
+                                  std::size_t count, const FaceArrays& faces) {
   const BitsOf<D> bits;
-  hn::Vec<D> t;
-  hn::Mask<D> second;
-  Triples<hn::Vec<D>> place, normal;
-  const auto rises = hn::RebindMask(d, hn::Ne(hn::Load(bits, outcome.rises), hn::Zero(bits)));
-  const bool wants_faces = hits.faces.point[0] != nullptr;
-  const auto left =
-      tell_hits(d, scene, cells, line, found, outcome.slots, rises, inside, wants_faces, t, second, place, normal);
-  hn::StoreMaskBits(d, second, outcome.second);
-  store_lanes(d, t, hits.faces.t + first, count);
-  if (wants_faces) {
-    store_lanes(d, place, hits.faces.point, first, count);
-    store_lanes(d, normal, hits.faces.normal, first, count);
+  const auto owners = owners_of(d, cells, walk.slot());
+  const bool wants_faces = faces.point[0] != nullptr;
+  Told<D> told;
+  tell_hits(d, scene, cells, line, found, owners.surface, walk.rises(), walk.inside(), wants_faces, told);
+  store_lanes(d, told.t, faces.t + first, count);
+  store_ids(d, owners.surface, faces.surface + first, count);
+  if (faces.root != nullptr) store_bytes(bits_of(d, told.second), faces.root + first, count);
+  if (!wants_faces) return told.left;
+  store_lanes(d, told.place, faces.point, first, count);
+  store_lanes(d, told.normal, faces.normal, first, count);
+  store_bytes(~bits_of(d, walk.rises()), faces.comes_positive + first, count);
+  const auto unknown = hn::Set(bits, LookId().index());
+  auto left = hn::Or(told.left, hn::And(found, hn::RebindMask(d, hn::Eq(owners.look, unknown))));
+  store_ids(d, owners.look, faces.look + first, count);
+  if (faces.leaf != nullptr) {
+    left = hn::Or(left, hn::And(found, hn::RebindMask(d, hn::Eq(owners.leaf, unknown))));
+    store_ids(d, owners.leaf, faces.leaf + first, count);
   }
   return left;
+}
+
+HWY_INLINE void leave(std::vector<std::uint32_t>& left, std::size_t first, unsigned lanes, PacketCounts& counts) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    left.push_back(static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(__builtin_ctz(lanes)));
+    ++counts.flagged;
+  }
 }
 
 /// Takes the next packet's lines through the cells.
 template <class D, Wanted wanted>
 HWY_INLINE void walk_packet(D d, const Scene& scene, const CellData& cells, const RayArrays& rays, std::size_t first,
                             std::size_t count, LineLanes<D>& line, Walk<D, wanted>& walk, PacketCounts& counts) {
-  set_line(d, scene.frame(), rays, first, count, line);
+  set_line(d, scene.frame(), cells, rays, first, count, line);
   prepare_walk(d, cells, rays, first, count, line);
   walk.run(hn::FirstN(d, count));
   counts.rays += count;
@@ -130,111 +129,81 @@ template <class D, Wanted wanted>
 void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
           PacketCounts& counts) {
   const D d;
-  const BitsOf<D> bits;
   const std::size_t lanes = hn::Lanes(d);
   LineLanes<D> line;
   Departures<D> departures;
-  Outcome outcome{};
-  Walk<D, wanted> walk(cells, line, rays.departure != nullptr ? &departures : nullptr, nullptr, counts);
+  Walk<D, wanted> walk(scene, cells, line, rays.departure != nullptr ? &departures : nullptr, nullptr, counts);
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = HWY_MIN(lanes, rays.count - first);
     if (rays.departure != nullptr) set_departures(d, rays, first, count, departures);
     walk_packet(d, scene, cells, rays, first, count, line, walk, counts);
     auto left = walk.flagged();
     const auto found = hn::AndNot(left, walk.found());
-    const bool any_found = !hn::AllFalse(d, found);
-    hn::StoreMaskBits(d, found, outcome.found);
     if constexpr (wanted == Wanted::first) {
-      if (any_found) {
-        hn::Store(walk.slot(), bits, outcome.slots);
-        hn::Store(walk.rises(), bits, outcome.rises);
-        left = hn::Or(left, store_faces(d, scene, cells, line, found, walk.inside(), outcome, first, count, hits));
-      }
+      if (!hn::AllFalse(d, found))
+        left = hn::Or(left, store_hits(d, scene, cells, line, walk, found, first, count, hits.faces));
     }
-    hn::StoreMaskBits(d, left, outcome.left);
-    hn::StoreMaskBits(d, walk.inside(), outcome.inside);
-    if constexpr (wanted == Wanted::first) {
-      if (any_found) store_owners(d, cells, hits, first, count, outcome);
-    }
-    store_states(hits, first, count, outcome, counts);
+    // HitArrays::entry is 1, exit 2.
+    const unsigned found_bits = bits_of(d, found);
+    const std::uint64_t states = bytes_of(found_bits) + bytes_of(found_bits & ~bits_of(d, walk.inside()));
+    std::memcpy(hits.faces.state + first, &states, count);
+    leave(*hits.left, first, bits_of(d, left), counts);
   }
 }
 
-/// t of the ends of a packet's rays, the first of all rays, then the second, ..
+/// Puts the ends that a packet met behind the intervals that are there, ray by ray. `told`: the lanes to do so for.
 template <class D>
-HWY_INLINE void tell_ends(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
-                          const LaneEnds& found, std::size_t count, LaneLists& lists) {
+HWY_INLINE void append_lists(D d, const RayArrays& rays, std::size_t first, std::size_t count,
+                             const Walk<D, Wanted::all>& walk, const EndLog<D>& log, unsigned told,
+                             const LaneLists& lists) {
+  static_assert(sizeof(Interval) == 2 * sizeof(Crossing));
   const BitsOf<D> bits;
-  const std::size_t base = lists.ends.size();
-  std::size_t start[16];
-  std::size_t total = 0;
-  std::size_t longest_list = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    start[i] = base + total;
-    total += found.count[i];
-    longest_list = HWY_MAX(longest_list, found.count[i]);
-    lists.offsets.push_back(base + total);
+  HWY_ALIGN std::uint64_t met[16];
+  hn::Store(walk.end_count(), bits, met);
+  const unsigned start_inside = bits_of(d, walk.started_inside());
+  const unsigned end_inside = bits_of(d, walk.inside());
+  // Where each lane's next end goes, counted in ends.
+  std::size_t next[8];
+  std::size_t total = 2 * lists.intervals->size();
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    next[lane] = total;
+    if (((told >> lane) & 1) != 0) total += met[lane] + ((start_inside >> lane) & 1) + ((end_inside >> lane) & 1);
+    lists.ends[first + lane] = total / 2;
   }
-  lists.ends.resize(base + total);
-  HWY_ALIGN std::uint64_t slots[16];
-  HWY_ALIGN std::uint64_t rises[16];
-  HWY_ALIGN std::uint64_t there[16];
-  HWY_ALIGN double at[16];
-  HWY_ALIGN std::uint8_t second[8];
-  for (std::size_t k = 0; k < longest_list; ++k) {
-    for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
-      there[i] = i < count && k < found.count[i] ? 1 : 0;
-      slots[i] = there[i] != 0 ? found.slot[i][k] : 0;
-      rises[i] = there[i] != 0 && found.rises[i][k] ? 1 : 0;
+  lists.intervals->resize(total / 2);
+  auto* ends = reinterpret_cast<unsigned char*>(lists.intervals->data());
+  const auto put = [&](std::size_t lane, const Crossing& end) {
+    std::memcpy(ends + sizeof(Crossing) * next[lane]++, &end, sizeof(Crossing));
+  };
+  for (unsigned rest = told & start_inside; rest != 0; rest &= rest - 1)
+    put(static_cast<std::size_t>(__builtin_ctz(rest)), {rays.whole_line ? -HUGE_VAL : 0, {}, 0});
+  for (std::size_t row = 0; row < log.rows(); ++row) {
+    for (unsigned rest = told & log.mask(row); rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::size_t>(__builtin_ctz(rest));
+      put(lane, log.at(row, lane));
     }
-    const auto as_mask = [&](const std::uint64_t* values) {
-      return hn::RebindMask(d, hn::Ne(hn::Load(bits, values), hn::Zero(bits)));
-    };
-    const auto hits = as_mask(there);
-    hn::Vec<D> t;
-    hn::Mask<D> is_second;
-    Triples<hn::Vec<D>> place, normal;
-    const auto open =
-        tell_hits(d, scene, cells, line, hits, slots, as_mask(rises), hits, false, t, is_second, place, normal);
-    HWY_ALIGN std::uint8_t open_bits[8];
-    hn::StoreMaskBits(d, open, open_bits);
-    hn::Store(t, d, at);
-    hn::StoreMaskBits(d, is_second, second);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (there[i] == 0) continue;
-      if (has(d, open_bits, i)) lists.is_flagged[lists.is_flagged.size() - count + i] = true;
-      lists.ends[start[i] + k] = {at[i], static_cast<std::uint32_t>(slots[i]),
-                                  static_cast<std::uint8_t>(has(d, second, i) ? 1 : 0)};
-    }
+  }
+  for (unsigned rest = told & end_inside; rest != 0; rest &= rest - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctz(rest));
+    put(lane, {rays.end != nullptr ? rays.end[first + lane] : HUGE_VAL, {}, 1});
   }
 }
 
 template <class D>
-void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays, LaneLists& lists,
+void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneLists& lists,
                 PacketCounts& counts) {
   const D d;
   const std::size_t lanes = hn::Lanes(d);
   LineLanes<D> line;
-  LaneEnds ends;
-  Walk<D, Wanted::all> walk(cells, line, nullptr, &ends, counts);
-  lists.ends.clear();
-  lists.offsets.assign(1, 0);
-  lists.starts_inside.clear();
-  lists.is_flagged.clear();
+  EndLog<D> log;
+  Walk<D, Wanted::all> walk(scene, cells, line, nullptr, &log, counts);
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = HWY_MIN(lanes, rays.count - first);
     walk_packet(d, scene, cells, rays, first, count, line, walk, counts);
-    HWY_ALIGN std::uint8_t flagged[8];
-    HWY_ALIGN std::uint8_t inside[8];
-    hn::StoreMaskBits(d, walk.flagged(), flagged);
-    hn::StoreMaskBits(d, walk.started_inside(), inside);
-    for (std::size_t i = 0; i < count; ++i) {
-      lists.is_flagged.push_back(has(d, flagged, i));
-      lists.starts_inside.push_back(has(d, inside, i));
-      counts.flagged += has(d, flagged, i) ? 1 : 0;
-      if (has(d, flagged, i)) ends.count[i] = 0;
-    }
-    tell_ends(d, scene, cells, line, ends, count, lists);
+    const unsigned left = bits_of(d, walk.flagged());
+    const unsigned told = ((1u << count) - 1) & ~left;
+    append_lists(d, rays, first, count, walk, log, told, lists);
+    leave(*lists.left, first, left, counts);
   }
 }
 

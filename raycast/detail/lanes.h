@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raycast/detail/cell_data.h"
+#include "raycast/hit.h"
 #include "raycast/packet_counts.h"
 #include "raycast/ray_arrays.h"
 #include "raycast/scene.h"
@@ -20,26 +21,15 @@ namespace csgcast::detail {
 /// What was found of each ray. Arrays of FaceArrays may be null where they are not wanted, but `state`.
 struct LaneHits {
   FaceArrays faces;
-  std::uint8_t* root = nullptr;                ///< which of the surface's crossings it is (Crossing::root)
   std::vector<std::uint32_t>* left = nullptr;  ///< gets the rays that lanes cannot tell all about: nothing told of
                                                ///< them means anything
 };
 
-/// A ray with more ends of intervals is flagged.
-constexpr std::size_t most_lane_ends = 256;
-
-/// The ends of intervals, ray by ray; an interval that has no end of its own begins before or ends after what was
-/// asked.
+/// Where the interval lists of rays go.
 struct LaneLists {
-  struct End {
-    double t;
-    std::uint32_t slot;
-    std::uint8_t root;
-  };
-  std::vector<End> ends;
-  std::vector<std::size_t> offsets;  ///< where each ray's ends begin, and the end of the last; rays + 1
-  std::vector<bool> starts_inside;   ///< by ray
-  std::vector<bool> is_flagged;      ///< by ray
+  std::vector<Interval>* intervals = nullptr;  ///< they are appended, ray after ray
+  std::size_t* ends = nullptr;                 ///< by ray: how many intervals there are after its own
+  std::vector<std::uint32_t>* left = nullptr;  ///< gets the rays that lanes cannot tell all about: they have none
 };
 
 /// The work on rays of one width.
@@ -47,7 +37,7 @@ struct LaneFunctions {
   void (*first_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, PacketCounts&);
   /// Whether the rays meet the inside: state is entry or none, and `left`.
   void (*any_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, PacketCounts&);
-  void (*lists)(const Scene&, const CellData&, const RayArrays&, LaneLists&, PacketCounts&);
+  void (*lists)(const Scene&, const CellData&, const RayArrays&, const LaneLists&, PacketCounts&);
 };
 
 /// The code for one instruction set. All give the same answers to rays that they do not flag.
