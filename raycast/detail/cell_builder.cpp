@@ -13,15 +13,17 @@ namespace {
 constexpr int most_depth = 60;
 // How often a split that promises nothing may be tried on the way down.
 constexpr int most_hopes = 3;
-constexpr int hopes_of_large = 3;  // so many more where a cell would have no table
+constexpr int hopes_of_large = 3;     // so many more where a cell would have no table
+constexpr int hopes_of_crowded = 30;  // and where it would be left to the caster
 constexpr std::size_t most_leaves_tried = 12;
 constexpr std::size_t most_candidates = 24;
-// Beside a face, far enough for the cell to be clear of it: the boxes of leaves are wider by 2^-31.
-constexpr double beside = 0x1p-30;
-constexpr double least_side = 0x1p-28;
+constexpr double least_side = 0x1p-24;
 // Cells whose area is less than this share of the least leaf's there are not cut: few rays would notice.
 constexpr double least_share = 0x1p-9;
 constexpr double least_share_of_large = 0x1p-13;
+
+// In turned axes coordinates are off by more, and surfaces are not quite where they are taken to be.
+constexpr AxisBounds turned_bounds{0x1p-43, 0x1p-41, 0x1p-10, 0x1p-38};
 
 // The cost of a ray, in units of the test of a surface.
 constexpr double cost_of_node = 1.0;
@@ -54,16 +56,6 @@ CellBox above(CellBox box, std::size_t axis, double at) {
   return box;
 }
 
-CellBox in_frame(const Box& box, const Frame& frame) {
-  CellBox result;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Rounds by less than 2^-50 of numbers below 4, which the boxes' own margin covers.
-    result.lower[axis] = std::ldexp(box.lower[axis] - frame.center[axis], -frame.exponent);
-    result.upper[axis] = std::ldexp(box.upper[axis] - frame.center[axis], -frame.exponent);
-  }
-  return result;
-}
-
 }  // namespace
 
 double CellBuilder::cost_of_cell(std::size_t surfaces) {
@@ -74,14 +66,21 @@ double CellBuilder::cost_of_cell(std::size_t surfaces) {
 
 CellBuilder::CellBuilder(const Scene& scene, NodeId node) : scene_(scene), whole_(formula_of(scene, node)) {
   const std::size_t surfaces = scene.surfaces().size();
+  if (scene.node(node).box.is_finite()) axes_ = common_axes(scene);
+  if (axes_) {
+    data_.is_turned = true;
+    data_.axes = axes_->rounded();
+    data_.axis_bounds = turned_bounds;
+  }
   forms_.reserve(surfaces);
   data_.surfaces.reserve(surfaces);
   for (const Surface& surface : scene.surfaces()) {
     forms_.push_back({surface.local, surface.center});
-    data_.surfaces.push_back(make_lane_surface(surface));
+    if (axes_) forms_.back() = axes_->turned(forms_.back());
+    data_.surfaces.push_back(make_lane_surface(surface, axes_ ? &forms_.back() : nullptr));
     const LaneSurface::Kind kind = data_.surfaces.back().kind;
     if (is_axis_cylinder(kind)) data_.has_cylinders[axis_of(kind)] = true;
-    if (kind == LaneSurface::Kind::sphere || kind == LaneSurface::Kind::quadric) data_.has_quadrics = true;
+    if (!is_plane(kind)) data_.has_quadrics = true;
   }
   asked_in_.assign(surfaces, 0);
   answer_.assign(surfaces, Sides::both);
@@ -92,22 +91,6 @@ CellBuilder::CellBuilder(const Scene& scene, NodeId node) : scene_(scene), whole
       even_look_[leaf.region.index()] = 0;
   }
   place_leaves(node);
-}
-
-void CellBuilder::place_leaves(NodeId node) {
-  leaf_boxes_.resize(scene_.leaves().size());
-  for (const Node& at : scene_.nodes()) {
-    if (at.op == Node::Op::leaf) leaf_boxes_[at.first] = in_frame(at.box, scene_.frame());
-  }
-  const CellBox solid = in_frame(scene_.node(node).box, scene_.frame());
-  data_.reaches_beyond = !scene_.node(node).box.is_finite();
-  data_.is_empty = scene_.node(node).box.is_null();
-  constexpr double side = 0.5;
-  data_.box = {{-side, -side, -side}, {side, side, side}};
-  if (!data_.reaches_beyond) {
-    const Vector more{beside, beside, beside};
-    data_.box = {solid.lower - more, solid.upper + more};
-  }
 }
 
 CellData CellBuilder::build() {
@@ -233,9 +216,14 @@ double CellBuilder::build(const Formula& formula, const CellBox& box, int depth,
     // Binning sees boxes only. Where they are of no help, a trial of the real thing is, if it is small enough.
     if (leaves.size() <= 4 * most_leaves_tried) split = split_by_trial(formula, leaves, box);
   }
+  const bool is_crowded = surfaces.size() > Cell::most_slots;  // such a cell would be left to the caster
+  if (is_crowded && split.cost == 0) split = split_in_half(box);
   if (split.cost == 0) return add_cell(formula);
   const bool is_promising = split.cost < as_one;
-  if (!is_promising && hopes <= (is_too_large ? -hopes_of_large : 0)) return add_cell(formula);
+  const int fewest_hopes = is_crowded ? -hopes_of_crowded : is_too_large ? -hopes_of_large : 0;
+  if (!is_promising && hopes <= fewest_hopes) return add_cell(formula);
+  // Where surfaces crowd in more than a place, splits could go on for ever.
+  if (!is_promising && is_crowded && crowded_splits_++ > 2048 + 8 * scene_.leaves().size()) return add_cell(formula);
   const int left = is_promising ? most_hopes : hopes - 1;
 
   const Marks before = marks();
@@ -251,6 +239,13 @@ double CellBuilder::build(const Formula& formula, const CellBox& box, int depth,
   if (cost < as_one || surfaces.size() > Cell::most_slots) return cost;
   forget_since(before);
   return add_cell(formula);
+}
+
+CellBuilder::Split CellBuilder::split_in_half(const CellBox& box) {
+  const Vector size = box.upper - box.lower;
+  const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  if (!(size[axis] > 2 * least_side)) return {};
+  return {axis, 0.5 * (box.lower[axis] + box.upper[axis]), HUGE_VAL};
 }
 
 // The surface area heuristic over the boxes of the leaves.

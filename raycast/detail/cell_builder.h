@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "raycast/detail/cell_axes.h"
 #include "raycast/detail/cell_data.h"
 #include "raycast/detail/formula.h"
 
@@ -30,8 +32,13 @@ class CellBuilder {
     std::size_t nodes, cells, slots, steps;
   };
 
+  /// How far beside a face a split is clear of it: more than what cells and the boxes of leaves are widened by.
+  static constexpr double beside = 0x1p-26;
+
   static double cost_of_cell(std::size_t surfaces);
   void place_leaves(NodeId node);
+  CellBox box_of_leaf(const Leaf& leaf, const Box& world) const;
+  CellBox turned_box_of(NodeId node) const;
   void build_outside();
   double build(const Formula& formula, const CellBox& box, int depth, int hopes);
   double add_cell(const Formula& formula);
@@ -39,6 +46,7 @@ class CellBuilder {
   Sides sides_of(SurfaceId id, const CellBox& inflated);
   void gather_surfaces(const Formula& formula, std::vector<SurfaceId>& surfaces);
   void gather_leaves(const Formula& formula, std::vector<LeafId>& leaves) const;
+  static Split split_in_half(const CellBox& box);
   Split split_by_bins(std::span<const LeafId> leaves, const CellBox& box) const;
   Split split_by_trial(const Formula& formula, std::span<const LeafId> leaves, const CellBox& box);
   void add_candidates(std::span<const LeafId> leaves, const CellBox& box, std::vector<Split>& candidates) const;
@@ -55,6 +63,8 @@ class CellBuilder {
   const Scene& scene_;
   Formula whole_;
   CellData data_;
+  std::optional<CellAxes> axes_;         // if they are not the frame's
+  std::size_t crowded_splits_ = 0;       // that promised nothing
   bool is_outside_ = false;              // the cells that are being made are infinite
   std::vector<CellForm> forms_;          // by surface
   std::vector<CellBox> leaf_boxes_;      // by leaf

@@ -88,7 +88,7 @@ HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const LaneSurface& p
 }
 
 /// Slack that covers every sphere whose discriminant is above its threshold.
-constexpr double sphere_slack = 0x1p-37;
+constexpr double sphere_slack = 0x1p-36;
 
 /// A ray that departs from a sphere or cylinder has no event at its start; inwards it has one at the mirror image of
 /// the start in the `middle` of the two, which must be farther off than `least`.
@@ -130,7 +130,10 @@ HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& 
   depart_from_round(d, line, middle, outside_is_positive, 2 * sphere_slack, departing, *departures, i, events);
 }
 
-/// A cylinder about a line along an axis of the frame: a circle in the plane of the other two. Rays nearly along the
+/// Likewise for cylinders.
+constexpr double cylinder_slack = 0x1p-36;
+
+/// A cylinder about a line along an axis of the cells: a circle in the plane of the other two. Rays nearly along the
 /// axis see nothing of it within reach, or are left to the caster.
 template <class D>
 HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const AxisBounds& bounds, const LaneSurface& cylinder,
@@ -164,11 +167,11 @@ HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const AxisBounds&
   const auto too_thin = hn::Le(size, hn::Mul(hn::Set(d, cylinder.c[4]), inverse));
   const auto too_near = hn::Le(size, hn::MulAdd(hn::Set(d, 96.0), line.across_size[axis], hn::Set(d, bounds.off_axis)));
   const auto is_open = hn::Or(hn::And(is_steep, too_near), hn::AndNot(is_steep, too_thin));
-  events.slack = hn::Max(events.slack, hn::Set(d, greatest_slack));
+  events.slack = hn::Max(events.slack, hn::Set(d, cylinder_slack));
   if (departures == nullptr) return flag(events, is_open);
   flag(events, hn::AndNot(departing, is_open));
   flag(events, hn::And(departing, is_steep));
-  depart_from_round(d, line, middle, outside_is_positive, 2 * greatest_slack, departing, *departures, i, events);
+  depart_from_round(d, line, middle, outside_is_positive, 2 * cylinder_slack, departing, *departures, i, events);
 }
 
 /// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin; the operations of quadric_line.h,

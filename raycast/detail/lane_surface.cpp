@@ -16,14 +16,34 @@ namespace {
 using Form = QuadricForm;
 constexpr double u = 0x1p-53;
 
-LaneSurface plane(const Surface& surface) {
+// A plane that is nearly square to an axis of turned cells, by as little as rounding makes of what was meant to be.
+LaneSurface nearly_square_plane(const CellForm& turned) {
+  LaneSurface lane;
+  const Vector n{turned.c[Form::x], turned.c[Form::y], turned.c[Form::z]};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double size = std::fabs(n[axis]);
+    const double rest = std::fmax(std::fabs(n[(axis + 1) % 3]), std::fabs(n[(axis + 2) % 3]));
+    const double place = -turned.c[Form::one] / n[axis];
+    if (rest > 24 * u * size || !(std::fabs(place) < 1)) continue;
+    lane.kind = static_cast<LaneSurface::Kind>(axis);
+    lane.c = {place, n[axis] > 0 ? 1.0 : -1.0};
+  }
+  return lane;
+}
+
+LaneSurface plane(const Surface& surface, const CellForm* turned) {
   const auto& k = surface.local;
   LaneSurface lane;
   const Vector n{k[Form::x], k[Form::y], k[Form::z]};
   const double w = k[Form::one];
   const Vector normal = normalised(n);
   const std::array<double, 3> unit{normal.x, normal.y, normal.z};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  if (turned != nullptr) {
+    lane = nearly_square_plane(*turned);
+    lane.center = unit;
+    if (lane.kind != LaneSurface::Kind::undecided) return lane;
+  }
+  for (std::size_t axis = 0; turned == nullptr && axis < 3; ++axis) {
     const double size = std::fabs(n[axis]);
     if (size != longest(n) || surface.first_degree != size) continue;
     lane.kind = static_cast<LaneSurface::Kind>(axis);
@@ -41,43 +61,61 @@ LaneSurface plane(const Surface& surface) {
   return lane;
 }
 
-bool is_sphere(const Surface::Coefficients& k) {
-  return k[Form::xx] == k[Form::yy] && k[Form::yy] == k[Form::zz] && k[Form::xy] == 0 && k[Form::xz] == 0 &&
-         k[Form::yz] == 0 && k[Form::xx] != 0;
+// By how much a form's second degree differs from the mean of some of its squares alone, in units of that: the sum of
+// the magnitudes.
+double unevenness(const Surface::Coefficients& k, double square, std::array<double, 3> shares) {
+  double sum = std::fabs(k[Form::xy]) + std::fabs(k[Form::xz]) + std::fabs(k[Form::yz]);
+  for (std::size_t i = 0; i < 3; ++i) sum += std::fabs(k[Form::xx + i] - shares[i] * square);
+  return sum / std::fabs(square);
 }
 
 LaneSurface sphere(const Surface& surface) {
   const auto& k = surface.local;
   LaneSurface lane;
   const double a = k[Form::xx];
+  if (a == 0) return lane;
   const Vector to_center = (-0.5 / a) * Vector{k[Form::x], k[Form::y], k[Form::z]};
   const Vector center = surface.center + to_center;
   const double radius_squared = dot(to_center, to_center) - k[Form::one] / a;
   if (!(radius_squared > 0) || !(radius_squared < 1) || !(longest(center) < 1)) return lane;
+  // A sphere that was turned is not quite one: by so much of the radius the discriminant may be off for that.
+  const double radius = std::sqrt(radius_squared);
+  const double reach = radius + longest(to_center);
+  if (unevenness(k, a, {1, 1, 1}) * 3 * reach * reach > 64 * u * radius) return lane;
   lane.kind = LaneSurface::Kind::sphere;
   const double least = std::fmax(0x1p-16 * radius_squared, 0x1p-43 * std::sqrt(radius_squared));
   lane.c = {center.x, center.y, center.z, radius_squared, least, a > 0 ? 1.0 : -1.0};
   return lane;
 }
 
-// x² + y² = r² about a center, and the same along the other axes.
-LaneSurface cylinder(const Surface& surface, std::size_t axis) {
-  const auto& k = surface.local;
+// x² + y² = r² about a center, and the same along the other axes; of turned cells nearly so.
+LaneSurface cylinder(const CellForm& form, bool is_turned, std::size_t axis) {
+  const auto& k = form.c;
   LaneSurface lane;
   const std::size_t i = (axis + 1) % 3;
   const std::size_t j = (axis + 2) % 3;
-  const bool is_round = k[Form::xx + i] == k[Form::xx + j] && k[Form::xx + i] != 0 && k[Form::xx + axis] == 0 &&
-                        k[Form::xy] == 0 && k[Form::xz] == 0 && k[Form::yz] == 0 && k[Form::x + axis] == 0;
-  if (!is_round) return lane;
   const double a = k[Form::xx + i];
+  if (a == 0) return lane;
+  std::array<double, 3> shares{1, 1, 1};
+  shares[axis] = 0;
+  const double uneven = unevenness(k, a, shares);
+  const double lean = std::fabs(k[Form::x + axis] / a);
+  if (is_turned ? uneven + lean > 64 * u : uneven + lean != 0) return lane;
   Vector to_center;
   to_center[i] = -0.5 / a * k[Form::x + i];
   to_center[j] = -0.5 / a * k[Form::x + j];
-  const Vector center = surface.center + to_center;
+  const Vector center = form.center + to_center;
   const double radius_squared = dot(to_center, to_center) - k[Form::one] / a;
   if (!(radius_squared > 0x1p-40) || !(radius_squared < 1) || !(longest(center) < 1)) return lane;
+  double least = 0x1p-17 * radius_squared;
+  if (is_turned) {
+    // Nothing in the cells is farther than 2.5 from the center of the form.
+    const double off = 6.25 * (uneven / u + 4) + 2.5 * (lean / u + 1) + 400 * std::sqrt(radius_squared);
+    least = std::fmax(least, 0x1p-30 * off * off);
+    if (least > 0x1p-6 * radius_squared) return lane;
+  }
   lane.kind = static_cast<LaneSurface::Kind>(static_cast<std::size_t>(LaneSurface::Kind::cylinder_x) + axis);
-  lane.c = {center.x, center.y, center.z, radius_squared, 0x1p-17 * radius_squared, a > 0 ? 1.0 : -1.0};
+  lane.c = {center.x, center.y, center.z, radius_squared, least, a > 0 ? 1.0 : -1.0};
   return lane;
 }
 
@@ -94,15 +132,14 @@ LaneSurface quadric(const Surface& surface) {
   return lane;
 }
 
-LaneSurface kind_of(const Surface& surface) {
+LaneSurface kind_of(const Surface& surface, const CellForm* turned) {
   if (!surface.in_range) return {};
-  if (surface.kind == SurfaceKind::plane) return plane(surface);
-  if (is_sphere(surface.local)) {
-    const LaneSurface lane = sphere(surface);
-    if (lane.kind != LaneSurface::Kind::undecided) return lane;
-  }
+  if (surface.kind == SurfaceKind::plane) return plane(surface, turned);
+  const LaneSurface round = sphere(surface);
+  if (round.kind != LaneSurface::Kind::undecided) return round;
+  const CellForm form = turned != nullptr ? *turned : CellForm{surface.local, surface.center};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const LaneSurface lane = cylinder(surface, axis);
+    const LaneSurface lane = cylinder(form, turned != nullptr, axis);
     if (lane.kind != LaneSurface::Kind::undecided) return lane;
   }
   return quadric(surface);
@@ -110,8 +147,8 @@ LaneSurface kind_of(const Surface& surface) {
 
 }  // namespace
 
-LaneSurface make_lane_surface(const Surface& surface) {
-  LaneSurface lane = kind_of(surface);
+LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned) {
+  LaneSurface lane = kind_of(surface, turned);
   const auto& k = surface.local;
   lane.is_mixed = k[Form::xy] != 0 || k[Form::xz] != 0 || k[Form::yz] != 0;
   return lane;

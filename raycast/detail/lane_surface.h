@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "raycast/detail/form_range.h"
 #include "raycast/surface.h"
 
 namespace csgcast::detail {
@@ -12,7 +13,7 @@ namespace csgcast::detail {
 /// A surface as the lanes compute with it.
 struct LaneSurface {
   enum class Kind : std::uint8_t {
-    plane_x,  ///< square to an axis of the frame: c[0] its place, c[1] the sign of its normal
+    plane_x,  ///< square to an axis of the cells: c[0] its place, c[1] the sign of its normal
     plane_y,
     plane_z,
     plane,       ///< c[0..2] normal, c[3] constant, c[4] what its crossings are off times |slope|, c[5] of its value
@@ -25,7 +26,7 @@ struct LaneSurface {
   };
 
   Surface::Coefficients c{};
-  std::array<double, 3> center{};  ///< of a quadric; of a plane the unit normal
+  std::array<double, 3> center{};  ///< of a quadric; of a plane the unit normal, in the frame
   double second_degree = 0;
   double first_degree = 0;
   double constant = 0;
@@ -44,6 +45,7 @@ constexpr std::size_t axis_of(LaneSurface::Kind kind) {
          (is_plane(kind) ? std::size_t{0} : static_cast<std::size_t>(LaneSurface::Kind::cylinder_x));
 }
 
-LaneSurface make_lane_surface(const Surface& surface);
+/// `turned`: the surface's form in the axes of the cells; null: these are the frame's.
+LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned);
 
 }  // namespace csgcast::detail

@@ -14,49 +14,6 @@ namespace HWY_NAMESPACE {
 
 enum class Wanted : std::uint8_t { first, any, all };
 
-/// The ends of intervals that a packet's rays met, in order: each row is what some of its lanes met at once.
-template <class D>
-class EndLog {
- public:
-  using Bits = BitsOf<D>;
-
-  EndLog() : lanes_(hn::Lanes(D())) { reserve(64); }
-
-  void clear() { rows_ = 0; }
-
-  /// `where`: SurfaceId below, Crossing::root above.
-  HWY_INLINE void add(hn::Mask<D> lanes, hn::Vec<D> t, hn::Vec<Bits> where) {
-    const D d;
-    if (rows_ == masks_.size()) reserve(2 * rows_);
-    hn::StoreU(t, d, t_.data() + rows_ * lanes_);
-    hn::StoreU(where, Bits(), where_.data() + rows_ * lanes_);
-    std::uint8_t mask[8];
-    hn::StoreMaskBits(d, lanes, mask);
-    masks_[rows_++] = mask[0];
-  }
-
-  std::size_t rows() const { return rows_; }
-  unsigned mask(std::size_t row) const { return masks_[row]; }
-  Crossing at(std::size_t row, std::size_t lane) const {
-    const std::uint64_t where = where_[row * lanes_ + lane];
-    return {t_[row * lanes_ + lane], SurfaceId(static_cast<std::uint32_t>(where)),
-            static_cast<std::uint8_t>(where >> 32)};
-  }
-
- private:
-  void reserve(std::size_t rows) {
-    t_.resize(rows * lanes_);
-    where_.resize(rows * lanes_);
-    masks_.resize(rows);
-  }
-
-  std::size_t lanes_;
-  std::size_t rows_ = 0;
-  std::vector<double> t_;
-  std::vector<std::uint64_t> where_;
-  std::vector<std::uint8_t> masks_;
-};
-
 /// One packet's way through the cells. A lane is live until its answer is known; what happens to it is in `fate`.
 template <class D, Wanted wanted>
 class Walk {

@@ -20,6 +20,7 @@
 // The others build on it.
 #include "raycast/detail/lane_events-inl.h"
 #include "raycast/detail/lane_hits-inl.h"
+#include "raycast/detail/lane_log-inl.h"
 #include "raycast/detail/lane_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What the rays of a packet met on their way. Compiled once for each instruction set; included by lanes.cpp only.
+#if defined(CSGCAST_LANE_LOG_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef CSGCAST_LANE_LOG_INL_H
+#undef CSGCAST_LANE_LOG_INL_H
+#else
+#define CSGCAST_LANE_LOG_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace csgcast::detail {
+namespace HWY_NAMESPACE {
+
+/// The ends of intervals that a packet's rays met, in order: each row is what some of its lanes met at once.
+template <class D>
+class EndLog {
+ public:
+  using Bits = BitsOf<D>;
+
+  EndLog() : lanes_(hn::Lanes(D())) { reserve(64); }
+
+  void clear() { rows_ = 0; }
+
+  /// `where`: SurfaceId below, Crossing::root above.
+  HWY_INLINE void add(hn::Mask<D> lanes, hn::Vec<D> t, hn::Vec<Bits> where) {
+    const D d;
+    if (rows_ == masks_.size()) reserve(2 * rows_);
+    hn::StoreU(t, d, t_.data() + rows_ * lanes_);
+    hn::StoreU(where, Bits(), where_.data() + rows_ * lanes_);
+    std::uint8_t mask[8];
+    hn::StoreMaskBits(d, lanes, mask);
+    masks_[rows_++] = mask[0];
+  }
+
+  std::size_t rows() const { return rows_; }
+  unsigned mask(std::size_t row) const { return masks_[row]; }
+  Crossing at(std::size_t row, std::size_t lane) const {
+    const std::uint64_t where = where_[row * lanes_ + lane];
+    return {t_[row * lanes_ + lane], SurfaceId(static_cast<std::uint32_t>(where)),
+            static_cast<std::uint8_t>(where >> 32)};
+  }
+
+ private:
+  void reserve(std::size_t rows) {
+    t_.resize(rows * lanes_);
+    where_.resize(rows * lanes_);
+    masks_.resize(rows);
+  }
+
+  std::size_t lanes_;
+  std::size_t rows_ = 0;
+  std::vector<double> t_;
+  std::vector<std::uint64_t> where_;
+  std::vector<std::uint8_t> masks_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace csgcast::detail
+HWY_AFTER_NAMESPACE();
+#endif
