@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/cells.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "csg/primitives.h"
+#include "csg/transform.h"
+#include "raycast/packet_caster.h"
+#include "tests/support/catch.h"
+#include "tests/support/random_solid.h"
+
+using namespace csgcast;
+using test::RandomSolids;
+
+namespace {
+
+// Rays as arrays, and room for what they hit.
+struct Arrays {
+  explicit Arrays(const std::vector<Ray>& list) : t(list.size()), surface(list.size()), state(list.size()), root(list.size()) {
+    for (const Ray& ray : list) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        origin[axis].push_back(ray.origin()[axis]);
+        direction[axis].push_back(ray.direction()[axis]);
+      }
+    }
+  }
+
+  RayArrays rays() const {
+    RayArrays arrays;
+    arrays.count = t.size();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      arrays.origin[axis] = origin[axis].data();
+      arrays.direction[axis] = direction[axis].data();
+    }
+    return arrays;
+  }
+  HitArrays hits() { return {state.data(), t.data(), surface.data(), root.data()}; }
+
+  std::array<std::vector<double>, 3> origin, direction;
+  std::vector<double> t;
+  std::vector<std::uint32_t> surface;
+  std::vector<std::uint8_t> state, root;
+};
+
+bool same(const Crossing& a, const Crossing& b) {
+  return a.t == b.t && a.surface == b.surface && (!a.surface.valid() || a.root == b.root);
+}
+
+std::vector<Ray> rays_at(RandomSolids& random, std::size_t count) {
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point target = random.point(1);
+    const Vector d = random.direction();
+    rays.emplace_back(target - random.number(0, 4) * d, d);
+  }
+  return rays;
+}
+
+// A plate with rows of holes, square to the axes.
+Solid plate() {
+  std::vector<Solid> holes;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const Vector at{-0.75 + 0.5 * i, -0.75 + 0.5 * j, -1};
+      holes.push_back(transformed((i + j) % 2 == 0 ? cylinder(2, 0.15, 0.15) : box({0.2, 0.2, 2}), translation(at)));
+    }
+  }
+  return box({2, 2, 0.5}, Centering::centered) - unite(holes);
+}
+
+// Rays that look at the plate's face from some way off.
+std::vector<Ray> view_of_plate(const Transform& turn) {
+  const Scene eye_at = compile(transformed(transformed(sphere(0x1p-20), translation({1.5, -2, 3})), turn));
+  const Point eye = eye_at.bounds().lower;
+  std::vector<Ray> rays;
+  for (int i = 0; i < 64; ++i) {
+    for (int j = 0; j < 64; ++j) rays.emplace_back(eye, Point{-1 + i / 32.0, -1 + j / 32.0, 0} - eye);
+  }
+  return rays;
+}
+
+std::size_t left_of(const Solid& solid, const std::vector<Ray>& rays) {
+  const Scene scene = compile(solid);
+  const Cells cells(scene);
+  PacketCaster caster(cells);
+  IntervalBatch batch;
+  caster.intervals(rays, batch, {}, Rounding::close);
+  return caster.left_to_caster().size();
+}
+
+}  // namespace
+
+TEST_CASE("arrays of rays get the scalar caster's answers, however many there are") {
+  RandomSolids random(11);
+  for (const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{8}, std::size_t{17}, std::size_t{600}}) {
+    const Scene scene = compile(random.tree(12) & box({4, 4, 4}, Centering::centered));
+    const Cells cells(scene);
+    Caster scalar(scene);
+    PacketCaster packets(cells);
+    const std::vector<Ray> rays = rays_at(random, count);
+    Arrays arrays(rays);
+    std::vector<std::uint8_t> any(count);
+    IntervalBatch batch;
+    for (const Rounding rounding : {Rounding::nearest, Rounding::close}) {
+      packets.first_hits(arrays.rays(), arrays.hits(), rounding);
+      packets.any_hits(arrays.rays(), any.data());
+      packets.intervals(arrays.rays(), batch, rounding);
+      REQUIRE(batch.offsets.size() == count + 1);
+      for (std::size_t i = 0; i < count; ++i) {
+        scalar.begin(rays[i]);
+        const std::optional<Hit> hit = scalar.first_hit({}, rounding);
+        REQUIRE((arrays.state[i] != HitArrays::none) == hit.has_value());
+        if (hit) {
+          CHECK((arrays.state[i] == HitArrays::entry) == (hit->passage == Passage::entry));
+          CHECK(same({arrays.t[i], SurfaceId(arrays.surface[i]), arrays.root[i]}, hit->crossing));
+        }
+        CHECK((any[i] != 0) == scalar.any_hit());
+        IntervalList list;
+        scalar.intervals(list);
+        const auto found = batch.of(i);
+        REQUIRE(found.size() == list.size());
+        for (std::size_t k = 0; k < list.size(); ++k) {
+          if (rounding == Rounding::nearest) {
+            CHECK(same(found[k].entry, list[k].entry));
+            CHECK(same(found[k].exit, list[k].exit));
+          } else {
+            CHECK(found[k].entry.surface == list[k].entry.surface);
+            CHECK(found[k].exit.t == Approx(list[k].exit.t));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("lists end where arrays of rays do") {
+  const Scene scene = compile(sphere(1));
+  const Cells cells(scene);
+  PacketCaster caster(cells);
+  Arrays arrays({Ray({0, 0, -3}, {0, 0, 1}), Ray({0, 0, 0}, {0, 0, 1}), Ray({0, 0, -3}, {0, 0, 1})});
+  RayArrays rays = arrays.rays();
+  const std::array<double, 3> end{3, 0.5, 1};
+  rays.end = end.data();
+  IntervalBatch batch;
+  caster.intervals(rays, batch);
+  REQUIRE(batch.offsets == std::vector<std::size_t>{0, 1, 2, 2});
+  CHECK(batch.intervals[0].entry.t == 2);
+  CHECK(batch.intervals[0].exit.t == 3);
+  CHECK_FALSE(batch.intervals[0].exit.surface.valid());
+  CHECK(batch.intervals[1].entry.t == 0);
+  CHECK(batch.intervals[1].exit.t == 0.5);
+}
+
+TEST_CASE("a turned scene costs no more cells, and lanes decide its rays as well") {
+  const Transform turn = rotation(30, {1, 2, 3});
+  const Cells::Counts straight = Cells(compile(plate())).counts();
+  const Scene turned = compile(transformed(plate(), turn));
+  const Cells::Counts counts = Cells(turned).counts();
+  CHECK(counts.undecided == 0);
+  CHECK(counts.cells < 2 * straight.cells);
+  const std::vector<Ray> rays = view_of_plate(turn);
+  CHECK(left_of(transformed(plate(), turn), rays) < rays.size() / 100);
+}
+
+TEST_CASE("scenes of many directions have no cells that lanes cannot take") {
+  std::vector<Solid> plates;
+  for (int i = 0; i < 4; ++i)
+    plates.push_back(transformed(plate(), rotation(10 + 20 * i, {1, 0.5 * i, 2})));
+  const Scene scene = compile(unite(plates));
+  CHECK(Cells(scene).counts().undecided < 10);
+}
