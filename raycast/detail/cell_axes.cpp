@@ -12,8 +12,10 @@ namespace {
 using Form = QuadricForm;
 using Row = CellAxes::Row;
 
-// Directions are the same, or square to each other, up to this.
-constexpr long double alike = 0x1p-44L;
+// Directions are meant to be square to each other up to this, which scenes written with six digits are,
+constexpr long double nearly = 0x1p-13L;
+// and are up to this.
+constexpr long double exactly = 0x1p-44L;
 // The axes must serve so many planes more than the frame's own do, and this share of all.
 constexpr double least_gain = 1.5;
 constexpr double least_share = 0.25;
@@ -48,8 +50,9 @@ std::vector<Direction> normals_of(const Scene& scene) {
   for (const Surface& surface : scene.surfaces()) {
     if (surface.kind != SurfaceKind::plane || !surface.in_range) continue;
     Row n = normalised({surface.local[Form::x], surface.local[Form::y], surface.local[Form::z]});
-    const auto first = std::find_if(n.begin(), n.end(), [](long double c) { return std::fabs(c) > 0x1p-20L; });
-    if (*first < 0) n = {-n[0], -n[1], -n[2]};
+    // The first coordinate that is not next to zero is positive.
+    const std::size_t leading = std::fabs(n[0]) > 0x1p-20L ? 0 : std::fabs(n[1]) > 0x1p-20L ? 1 : 2;
+    if (n[leading] < 0) n = {-n[0], -n[1], -n[2]};
     std::array<std::int64_t, 3> key{};
     for (std::size_t i = 0; i < 3; ++i) key[i] = std::llround(n[i] * 0x1p30L);
     Direction& direction = found[key];
@@ -66,7 +69,7 @@ std::size_t served_by(const std::array<Row, 3>& axes, const std::vector<Directio
   std::size_t count = 0;
   for (const Direction& direction : directions) {
     const bool is_served = std::any_of(axes.begin(), axes.end(), [&](const Row& axis) {
-      return 1 - std::fabs(dot(axis, direction.unit)) < alike * alike;
+      return 1 - std::fabs(dot(axis, direction.unit)) < nearly * nearly / 2;
     });
     if (is_served) count += direction.count;
   }
@@ -132,9 +135,12 @@ std::optional<CellAxes> common_axes(const Scene& scene) {
   for (const Direction& direction : directions) planes += direction.count;
   const std::array<Row, 3> own{Row{1, 0, 0}, Row{0, 1, 0}, Row{0, 0, 1}};
   const Row first = directions.front().unit;
-  const auto second = std::find_if(directions.begin(), directions.end(), [&](const Direction& direction) {
-    return std::fabs(dot(first, direction.unit)) < alike;
-  });
+  const auto square_up_to = [&](long double tolerance) {
+    return std::find_if(directions.begin(), directions.end(),
+                        [&](const Direction& direction) { return std::fabs(dot(first, direction.unit)) < tolerance; });
+  };
+  auto second = square_up_to(exactly);
+  if (second == directions.end()) second = square_up_to(nearly);
   // Without a second direction any will do.
   const std::size_t thinnest = static_cast<std::size_t>(
       std::min_element(first.begin(), first.end(),

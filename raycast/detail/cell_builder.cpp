@@ -61,7 +61,7 @@ CellBox above(CellBox box, std::size_t axis, double at) {
 double CellBuilder::cost_of_cell(std::size_t surfaces) {
   if (surfaces == 0) return cost_of_constant;
   const double n = static_cast<double>(surfaces);
-  return surfaces <= Cell::table_slots ? 1.5 + n : 4 + 2 * n;
+  return surfaces <= Cell::table_slots ? 1.5 + n : 4 + 2 * n + n * n / 8;
 }
 
 CellBuilder::CellBuilder(const Scene& scene, NodeId node) : scene_(scene), whole_(formula_of(scene, node)) {

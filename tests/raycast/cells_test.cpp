@@ -18,7 +18,8 @@ namespace {
 
 // Rays as arrays, and room for what they hit.
 struct Arrays {
-  explicit Arrays(const std::vector<Ray>& list) : t(list.size()), surface(list.size()), state(list.size()), root(list.size()) {
+  explicit Arrays(const std::vector<Ray>& list)
+      : t(list.size()), surface(list.size()), state(list.size()), root(list.size()) {
     for (const Ray& ray : list) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         origin[axis].push_back(ray.origin()[axis]);
@@ -166,8 +167,7 @@ TEST_CASE("a turned scene costs no more cells, and lanes decide its rays as well
 
 TEST_CASE("scenes of many directions have no cells that lanes cannot take") {
   std::vector<Solid> plates;
-  for (int i = 0; i < 4; ++i)
-    plates.push_back(transformed(plate(), rotation(10 + 20 * i, {1, 0.5 * i, 2})));
+  for (int i = 0; i < 4; ++i) plates.push_back(transformed(plate(), rotation(10 + 20 * i, {1, 0.5 * i, 2})));
   const Scene scene = compile(unite(plates));
   CHECK(Cells(scene).counts().undecided < 10);
 }
