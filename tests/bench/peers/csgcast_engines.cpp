@@ -17,16 +17,16 @@ class ScalarEngine : public Engine {
 
   std::string name() const override { return "csgcast, single rays"; }
 
-  void first_hits(std::span<const Ray> rays, std::span<double> t) override {
+  void first_hits(const RayBatch& rays, std::span<double> t) override {
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      caster_.begin(rays[i]);
+      caster_.begin(rays.list()[i]);
       const std::optional<Hit> hit = caster_.first_hit(Span{}, Rounding::close);
       t[i] = hit ? hit->crossing.t : std::numeric_limits<double>::infinity();
     }
   }
 
-  void intervals(std::span<const Ray> rays, IntervalTable& table) override {
-    for (const Ray& ray : rays) {
+  void intervals(const RayBatch& rays, IntervalTable& table) override {
+    for (const Ray& ray : rays.list()) {
       caster_.begin(ray);
       caster_.intervals(list_);
       for (const Interval& interval : list_) {
@@ -51,16 +51,24 @@ class LaneEngine : public Engine {
 
   std::string name() const override { return name_; }
 
-  void first_hits(std::span<const Ray> rays, std::span<double> t) override {
-    hits_.resize(rays.size());
-    caster_.first_hits(rays, hits_, Rounding::close);
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      t[i] = hits_[i] ? hits_[i]->crossing.t : std::numeric_limits<double>::infinity();
+  void first_hits(const RayBatch& rays, std::span<double> t) override {
+    state_.resize(rays.size());
+    surface_.resize(rays.size());
+    caster_.first_hits(rays.arrays(), {state_.data(), t.data(), surface_.data()}, Rounding::close);
   }
 
-  void intervals(std::span<const Ray> rays, IntervalTable& table) override {
-    caster_.intervals(rays, batch_, {}, Rounding::close);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
+  void restate(std::span<double> t) override {
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      if (state_[i] == HitArrays::none) t[i] = std::numeric_limits<double>::infinity();
+    }
+  }
+
+  void intervals(const RayBatch& rays, IntervalTable&) override {
+    caster_.intervals(rays.arrays(), batch_, Rounding::close);
+  }
+
+  void restate(IntervalTable& table) override {
+    for (std::size_t i = 0; i + 1 < batch_.offsets.size(); ++i) {
       for (const Interval& interval : batch_.of(i)) {
         table.ends.push_back(interval.entry.t);
         table.ends.push_back(interval.exit.t);
@@ -73,7 +81,8 @@ class LaneEngine : public Engine {
   std::string name_;
   std::shared_ptr<const Cells> cells_;  // shared with the other width
   PacketCaster caster_;
-  std::vector<std::optional<Hit>> hits_;
+  std::vector<std::uint8_t> state_;
+  std::vector<std::uint32_t> surface_;
   IntervalBatch batch_;
 };
 

@@ -32,7 +32,7 @@ class BallEngine : public Engine {
       : device_(rtcNewDevice("threads=1")), scene_(make_scene(device_.get(), scene.tree)) {}
 
   bool knows_intervals() const override { return false; }
-  void intervals(std::span<const Ray>, IntervalTable&) override {}
+  void intervals(const RayBatch&, IntervalTable&) override {}
 
  protected:
   RTCScene scene() const { return scene_.get(); }
@@ -51,13 +51,13 @@ class BallPackets : public BallEngine {
     return lanes == 1 ? "Embree, its spheres, single rays" : fmt::format("Embree, its spheres, packets of {}", lanes);
   }
 
-  void first_hits(std::span<const Ray> rays, std::span<double> t) override {
+  void first_hits(const RayBatch& rays, std::span<double> t) override {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     if (lanes > 1) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     for (std::size_t i = 0; i < rays.size(); i += lanes) {
       alignas(64) EmbreeRays<lanes> query;
-      load<lanes>(std::span<const Ray, lanes>(rays.subspan(i, lanes)), query);
+      load<lanes>(rays, i, query);
       intersect(scene(), &context, query);
       for (unsigned lane = 0; lane < lanes; ++lane) t[i + lane] = hit_t<lanes>(query, lane);
     }
@@ -70,14 +70,13 @@ class BallStreams : public BallEngine {
 
   std::string name() const override { return "Embree, its spheres, streams"; }
 
-  void first_hits(std::span<const Ray> rays, std::span<double> t) override {
+  void first_hits(const RayBatch& rays, std::span<double> t) override {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     std::array<RTCRayHit, tile_rays> queries;
     for (std::size_t i = 0; i < rays.size(); i += queries.size()) {
-      for (std::size_t k = 0; k < queries.size(); ++k)
-        load<1>(std::span<const Ray, 1>(rays.subspan(i + k, 1)), queries[k]);
+      for (std::size_t k = 0; k < queries.size(); ++k) load<1>(rays, i + k, queries[k]);
       rtcIntersect1M(scene(), &context, queries.data(), queries.size(), sizeof(RTCRayHit));
       for (std::size_t k = 0; k < queries.size(); ++k) t[i + k] = hit_t<1>(queries[k], 0);
     }

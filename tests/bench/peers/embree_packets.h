@@ -9,7 +9,7 @@
 #include <span>
 #include <type_traits>
 
-#include "raycast/ray.h"
+#include "tests/bench/peers/ray_batch.h"
 
 namespace csgcast::bench {
 
@@ -33,19 +33,22 @@ void intersect(RTCScene scene, RTCIntersectContext* context, Rays& rays) {
   }
 }
 
-/// The rays in single precision, from t = 0 on, nothing hit yet; id is the lane.
+/// Rays [first, first + lanes) in single precision, from t = 0 on, nothing hit yet; id is the lane.
 template <std::size_t lanes>
-void load(std::span<const Ray, lanes> rays, EmbreeRays<lanes>& to) {
+void load(const RayBatch& rays, std::size_t first, EmbreeRays<lanes>& to) {
   // RTCRay and RTCRay8 have the same members in the same order: floats, or arrays of them.
   const auto base = reinterpret_cast<RTCRayN*>(&to.ray);
   const auto hits = reinterpret_cast<RTCHitN*>(&to.hit);
+  const auto copy = [&](const double* from, float* into) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) into[lane] = static_cast<float>(from[lane]);
+  };
+  copy(rays.origin(0, first), &RTCRayN_org_x(base, lanes, 0));
+  copy(rays.origin(1, first), &RTCRayN_org_y(base, lanes, 0));
+  copy(rays.origin(2, first), &RTCRayN_org_z(base, lanes, 0));
+  copy(rays.direction(0, first), &RTCRayN_dir_x(base, lanes, 0));
+  copy(rays.direction(1, first), &RTCRayN_dir_y(base, lanes, 0));
+  copy(rays.direction(2, first), &RTCRayN_dir_z(base, lanes, 0));
   for (unsigned lane = 0; lane < lanes; ++lane) {
-    RTCRayN_org_x(base, lanes, lane) = static_cast<float>(rays[lane].origin().x);
-    RTCRayN_org_y(base, lanes, lane) = static_cast<float>(rays[lane].origin().y);
-    RTCRayN_org_z(base, lanes, lane) = static_cast<float>(rays[lane].origin().z);
-    RTCRayN_dir_x(base, lanes, lane) = static_cast<float>(rays[lane].direction().x);
-    RTCRayN_dir_y(base, lanes, lane) = static_cast<float>(rays[lane].direction().y);
-    RTCRayN_dir_z(base, lanes, lane) = static_cast<float>(rays[lane].direction().z);
     RTCRayN_tnear(base, lanes, lane) = 0;
     RTCRayN_tfar(base, lanes, lane) = std::numeric_limits<float>::infinity();
     RTCRayN_time(base, lanes, lane) = 0;

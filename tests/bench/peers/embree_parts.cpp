@@ -21,7 +21,7 @@ enum class Aim : std::uint8_t { gather, nearest };
 // What the callbacks need of the packet under way, behind the context that Embree hands to them.
 template <std::size_t lanes>
 struct Gathering : RTCIntersectContext {
-  explicit Gathering(std::span<const Ray, lanes> packet) : rays(packet) {
+  Gathering(const RayBatch& all, std::size_t first) : rays(all, first) {
     rtcInitIntersectContext(this);
     if (lanes > 1) flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   }
@@ -177,17 +177,16 @@ class PartsEngine : public Engine {
     return lanes == 1 ? "Embree, our parts, single rays" : fmt::format("Embree, our parts, packets of {}", lanes);
   }
 
-  void first_hits(std::span<const Ray> rays, std::span<double> t) override {
+  void first_hits(const RayBatch& rays, std::span<double> t) override {
     for (std::size_t i = 0; i < rays.size(); i += lanes) {
-      const auto packet = std::span<const Ray, lanes>(rays.subspan(i, lanes));
       if (is_union_) {
-        Gathering<lanes> context(packet);
+        Gathering<lanes> context(rays, i);
         context.nearest.fill(infinity);
-        trace(nearest_, packet, context);
+        trace(nearest_, rays, i, context);
         std::copy(context.nearest.begin(), context.nearest.end(), t.begin() + static_cast<std::ptrdiff_t>(i));
         continue;
       }
-      gather(packet);
+      gather(rays, i);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         double& first = t[i + lane] = infinity;
         for_each_boundary(events_[lane], state_, [&first](double at) {
@@ -198,9 +197,9 @@ class PartsEngine : public Engine {
     }
   }
 
-  void intervals(std::span<const Ray> rays, IntervalTable& table) override {
+  void intervals(const RayBatch& rays, IntervalTable& table) override {
     for (std::size_t i = 0; i < rays.size(); i += lanes) {
-      gather(std::span<const Ray, lanes>(rays.subspan(i, lanes)));
+      gather(rays, i);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         for_each_boundary(events_[lane], state_, [&table](double at) {
           table.ends.push_back(at);
@@ -212,18 +211,18 @@ class PartsEngine : public Engine {
   }
 
  private:
-  static void trace(const PartScene<lanes>& scene, std::span<const Ray, lanes> packet, Gathering<lanes>& context) {
+  static void trace(const PartScene<lanes>& scene, const RayBatch& rays, std::size_t first, Gathering<lanes>& context) {
     alignas(64) EmbreeRays<lanes> query;
-    load<lanes>(packet, query);
+    load<lanes>(rays, first, query);
     intersect(scene.get(), &context, query);
   }
 
   // Sorted events of each lane.
-  void gather(std::span<const Ray, lanes> packet) {
+  void gather(const RayBatch& rays, std::size_t first) {
     for (std::vector<Event>& events : events_) events.clear();
-    Gathering<lanes> context(packet);
+    Gathering<lanes> context(rays, first);
     context.events = &events_;
-    trace(gathering_, packet, context);
+    trace(gathering_, rays, first, context);
     for (std::vector<Event>& events : events_) sort_events(events);
   }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "raycast/ray.h"
+#include "tests/bench/peers/ray_batch.h"
 
 namespace csgcast::bench {
 
@@ -36,9 +36,12 @@ class Engine {
   virtual std::string name() const = 0;
   virtual bool knows_intervals() const { return true; }
   /// t of each ray's first hit, infinite if there is none. `t` has one place a ray.
-  virtual void first_hits(std::span<const Ray> rays, std::span<double> t) = 0;
+  virtual void first_hits(const RayBatch& rays, std::span<double> t) = 0;
   /// All intervals of each ray from t = 0 on. The table comes cleared.
-  virtual void intervals(std::span<const Ray> rays, IntervalTable& table) = 0;
+  virtual void intervals(const RayBatch& rays, IntervalTable& table) = 0;
+  /// Turns the answers to the last call into that form, where the engine has another one of its own. Not timed.
+  virtual void restate(std::span<double> /*t*/) {}
+  virtual void restate(IntervalTable& /*table*/) {}
 };
 
 }  // namespace csgcast::bench

@@ -6,8 +6,8 @@
 #include <limits>
 #include <span>
 
-#include "raycast/ray.h"
 #include "tests/bench/peers/part_tree.h"
+#include "tests/bench/peers/ray_batch.h"
 
 namespace csgcast::bench {
 
@@ -19,15 +19,17 @@ struct LaneRays {
   alignas(64) double inverse[3][lanes];   ///< of the direction; huge where that is zero, so that no 0 * inf comes up
   alignas(64) double over_square[lanes];  ///< 1 / |direction|²
 
-  explicit LaneRays(std::span<const Ray, lanes> rays) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const Vector d = rays[lane].direction();
-      over_square[lane] = 1 / dot(d, d);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        origin[axis][lane] = rays[lane].origin()[axis];
-        direction[axis][lane] = d[axis];
-        inverse[axis][lane] = 1 / (d[axis] == 0 ? 1e-200 : d[axis]);
+  LaneRays(const RayBatch& rays, std::size_t first) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        origin[axis][lane] = rays.origin(axis, first)[lane];
+        direction[axis][lane] = rays.direction(axis, first)[lane];
+        inverse[axis][lane] = 1 / (direction[axis][lane] == 0 ? 1e-200 : direction[axis][lane]);
       }
+    }
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      over_square[lane] = 1 / (direction[0][lane] * direction[0][lane] + direction[1][lane] * direction[1][lane] +
+                               direction[2][lane] * direction[2][lane]);
     }
   }
 };

@@ -18,7 +18,7 @@ struct Answers {
   IntervalTable table;
 };
 
-double seconds(Engine& engine, Query query, const std::vector<Ray>& rays, Answers& answers) {
+double seconds(Engine& engine, Query query, const RayBatch& rays, Answers& answers) {
   answers.t.resize(rays.size());
   answers.table.clear();
   const Stopwatch watch;
@@ -27,7 +27,13 @@ double seconds(Engine& engine, Query query, const std::vector<Ray>& rays, Answer
   } else {
     engine.intervals(rays, answers.table);
   }
-  return watch.seconds();
+  const double seconds = watch.seconds();
+  if (query == Query::first_hit) {
+    engine.restate(answers.t);
+  } else {
+    engine.restate(answers.table);
+  }
+  return seconds;
 }
 
 std::span<const double> answer_to(Query query, const Answers& answers, std::size_t ray) {
@@ -57,7 +63,7 @@ struct Contest {
   Engine* engine = nullptr;
   std::size_t stride = 1;   // of tiles
   std::size_t repeats = 1;  // in a pass
-  std::vector<Ray> rays;
+  RayBatch rays;
   std::vector<double> seconds;
   Answers answers;
 };
@@ -66,11 +72,11 @@ struct Contest {
 // rays tells. Strides are odd, so that the tiles do not stand in a column.
 void give_rays(Contest& contest, Query query, const PeerScene& scene, double most_seconds) {
   constexpr std::size_t thin = 61;
-  const std::vector<Ray> few = every_tile(scene.rays, thin);
+  const RayBatch few(every_tile(scene.rays, thin));
   const double share = static_cast<double>(few.size()) / static_cast<double>(scene.rays.size());
   const double estimate = seconds(*contest.engine, query, few, contest.answers) / share;
   if (estimate > most_seconds) contest.stride = static_cast<std::size_t>(std::ceil(estimate / most_seconds)) | 1U;
-  contest.rays = every_tile(scene.rays, contest.stride);
+  contest.rays = RayBatch(every_tile(scene.rays, contest.stride));
 }
 
 // How often in a pass it answers for them, so that a pass is long enough to be timed. The rays go once through

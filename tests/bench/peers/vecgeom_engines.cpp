@@ -161,9 +161,9 @@ class VecgeomEngine : public Engine {
     return manner_ == Manner::chain ? "VecGeom, chains of Booleans" : "VecGeom, multi-unions";
   }
 
-  void first_hits(std::span<const Ray> rays, std::span<double> t) override {
+  void first_hits(const RayBatch& rays, std::span<double> t) override {
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const auto [origin, direction] = scaled(rays[i]);
+      const auto [origin, direction] = scaled(rays.list()[i]);
       const double distance = volume_->DistanceToIn(origin, direction, vecgeom::kInfLength);
       t[i] = distance < vecgeom::kInfLength ? distance / scale_ : std::numeric_limits<double>::infinity();
     }
@@ -171,8 +171,8 @@ class VecgeomEngine : public Engine {
 
   // In and out again, and each time a little further, as its navigators do, so that the surface is behind. Where it
   // takes a point that it entered at for one outside, each further push is twice as long.
-  void intervals(std::span<const Ray> rays, IntervalTable& table) override {
-    for (const Ray& ray : rays) {
+  void intervals(const RayBatch& rays, IntervalTable& table) override {
+    for (const Ray& ray : rays.list()) {
       const auto [origin, direction] = scaled(ray);
       double t = 0;
       double push = vecgeom::kPushTolerance;
