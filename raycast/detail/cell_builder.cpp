@@ -80,6 +80,7 @@ CellBuilder::CellBuilder(const Scene& scene, NodeId node) : scene_(scene), whole
     data_.surfaces.push_back(make_lane_surface(surface, axes_ ? &forms_.back() : nullptr));
     const LaneSurface::Kind kind = data_.surfaces.back().kind;
     if (is_axis_cylinder(kind)) data_.has_cylinders[axis_of(kind)] = true;
+    if (kind < LaneSurface::Kind::plane) data_.has_axis_planes = true;
     if (!is_plane(kind)) data_.has_quadrics = true;
   }
   asked_in_.assign(surfaces, 0);

@@ -19,6 +19,9 @@ constexpr double cell_margin = 0x1p-28;
 /// The most by which events in a cell may be off: rays with less certain ones are left to the caster.
 constexpr double greatest_slack = 0x1p-32;
 
+/// Slack that covers every sphere, and cylinder along an axis, whose discriminant is above its threshold.
+constexpr double round_slack = 0x1p-36;
+
 /// A node of the kd-tree: the child below the split follows it.
 struct CellNode {
   static constexpr std::uint32_t no_axis = 3;
@@ -64,6 +67,7 @@ struct Cell {
   static constexpr std::size_t most_operands = 32;  ///< that the steps may have waiting
 
   std::uint64_t table = 0;
+  double slack = 0;  ///< what its surfaces need of it whatever the ray
   std::uint32_t first_slot = 0;
   std::uint32_t first_step = 0;
   std::uint16_t step_count = 0;
@@ -97,6 +101,7 @@ struct CellData {
   std::vector<Step> steps;
   std::vector<LaneSurface> surfaces;    ///< by SurfaceId
   std::array<bool, 3> has_cylinders{};  ///< along each axis of the frame
+  bool has_axis_planes = false;         ///< square to an axis
   bool has_quadrics = false;            ///< spheres and others
 };
 

@@ -154,7 +154,9 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
   cell.slot_count = static_cast<std::uint8_t>(surfaces.size());
   slot_of_surface_.resize(scene_.surfaces().size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (is_plane(data_.surfaces[surfaces[i].index()].kind)) ++cell.plane_count;
+    const LaneSurface::Kind kind = data_.surfaces[surfaces[i].index()].kind;
+    if (is_plane(kind)) ++cell.plane_count;
+    if (kind == LaneSurface::Kind::sphere || is_axis_cylinder(kind)) cell.slack = round_slack;
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
     data_.slots.push_back(slot_of(formula, surfaces[i]));
   }

@@ -40,7 +40,13 @@ HWY_INLINE hn::Mask<D> departing_from(D d, const Departures<D>& departures, std:
 
 template <class D>
 HWY_INLINE void flag(Events<D>& events, hn::Mask<D> lanes) {
-  events.flagged = hn::Or(events.flagged, lanes);
+  if constexpr (certified) events.flagged = hn::Or(events.flagged, lanes);
+}
+
+/// Of an event that is off by a quarter of this.
+template <class D>
+HWY_INLINE void widen(Events<D>& events, hn::Vec<D> slack) {
+  if constexpr (certified) events.slack = hn::Max(events.slack, slack);
 }
 
 /// A plane square to an axis of the frame.
@@ -54,7 +60,7 @@ HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const LaneSurfa
   events.first[i] = hn::Mul(gap, line.axis_inverse[axis]);
   const auto falls = hn::Lt(line.axis_inverse[axis], hn::Zero(d));
   events.positive_before[i] = plane.c[1] > 0 ? falls : hn::Not(falls);
-  flag(events, hn::Lt(hn::Abs(gap), line.guard[axis]));
+  if (line.any_is_loose) flag(events, hn::Lt(hn::Abs(gap), line.guard[axis]));
 }
 
 /// Of the surface that they depart from, lanes see nothing but what lies ahead: of a plane the side that the slope
@@ -79,16 +85,13 @@ HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const LaneSurface& p
   const V at = hn::Neg(hn::Mul(value, inverse));
   const V off = hn::Mul(hn::Set(d, plane.c[4]), hn::Abs(inverse));
   const auto is_loose = hn::Gt(off, hn::Set(d, greatest_slack));
-  events.slack = hn::Max(events.slack, hn::IfThenZeroElse(is_loose, off));
+  widen(events, hn::IfThenZeroElse(is_loose, off));
   const V out_of_reach = hn::Add(hn::Set(d, plane.c[5]), hn::Mul(hn::Set(d, 8.5), size));
   const auto is_open = hn::Or(hn::Lt(hn::Abs(value), out_of_reach), departing);
   flag(events, hn::And(is_loose, is_open));
   events.first[i] = hn::IfThenElse(departing, hn::Neg(hn::Inf(d)), at);
   events.positive_before[i] = hn::Lt(slope, hn::Zero(d));
 }
-
-/// Slack that covers every sphere whose discriminant is above its threshold.
-constexpr double sphere_slack = 0x1p-36;
 
 /// A ray that departs from a sphere or cylinder has no event at its start; inwards it has one at the mirror image of
 /// the start in the `middle` of the two, which must be farther off than `least`.
@@ -124,14 +127,10 @@ HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& 
   const bool outside_is_positive = sphere.c[5] > 0;
   events.positive_before[i] = outside_is_positive ? hn::Eq(middle, middle) : hn::Ne(middle, middle);
   const auto is_open = hn::Le(hn::Abs(discriminant), hn::Set(d, sphere.c[4]));
-  events.slack = hn::Max(events.slack, hn::Set(d, sphere_slack));
   if (departures == nullptr) return flag(events, is_open);
   flag(events, hn::AndNot(departing, is_open));
-  depart_from_round(d, line, middle, outside_is_positive, 2 * sphere_slack, departing, *departures, i, events);
+  depart_from_round(d, line, middle, outside_is_positive, 2 * round_slack, departing, *departures, i, events);
 }
-
-/// Likewise for cylinders.
-constexpr double cylinder_slack = 0x1p-36;
 
 /// A cylinder about a line along an axis of the cells: a circle in the plane of the other two. Rays nearly along the
 /// axis see nothing of it within reach, or are left to the caster.
@@ -155,23 +154,27 @@ HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const AxisBounds&
   const V discriminant = hn::Sub(radius_squared, hn::MulAdd(qj, qj, hn::Mul(qk, qk)));
   const V half = hn::Sqrt(hn::Mul(hn::Max(discriminant, zero), inverse));
   const V never = hn::Inf(d);
-  const auto is_steep = hn::Ge(line.across_size[axis], zero);
-  const auto misses = hn::Or(is_steep, hn::Lt(discriminant, zero));
+  const bool outside_is_positive = cylinder.c[5] > 0;
+  auto misses = hn::Lt(discriminant, zero);
+  const V size = hn::Abs(discriminant);
+  auto is_open = hn::Le(size, hn::Mul(hn::Set(d, cylinder.c[4]), inverse));
+  auto is_steep = hn::MaskFromVec(zero);
+  auto stays_inside = is_steep;
+  if (line.any_is_steep[axis]) {
+    // Along the axis the sign at `near`, where the discriminant was computed for want of a middle, is that of all.
+    is_steep = hn::Ge(line.across_size[axis], zero);
+    stays_inside = hn::AndNot(misses, is_steep);
+    misses = hn::Or(is_steep, misses);
+    const V too_near = hn::MulAdd(hn::Set(d, 96.0), line.across_size[axis], hn::Set(d, bounds.off_axis));
+    is_open = hn::Or(hn::And(is_steep, hn::Le(size, too_near)), hn::AndNot(is_steep, is_open));
+  }
   events.first[i] = hn::IfThenElse(misses, never, hn::Sub(middle, half));
   events.second[i] = hn::IfThenElse(misses, never, hn::Add(middle, half));
-  // Along the axis the sign at `near`, where the discriminant was computed for want of a middle, is that of all.
-  const bool outside_is_positive = cylinder.c[5] > 0;
-  const auto stays_inside = hn::And(is_steep, hn::Gt(discriminant, zero));
   events.positive_before[i] = outside_is_positive ? hn::Not(stays_inside) : stays_inside;
-  const V size = hn::Abs(discriminant);
-  const auto too_thin = hn::Le(size, hn::Mul(hn::Set(d, cylinder.c[4]), inverse));
-  const auto too_near = hn::Le(size, hn::MulAdd(hn::Set(d, 96.0), line.across_size[axis], hn::Set(d, bounds.off_axis)));
-  const auto is_open = hn::Or(hn::And(is_steep, too_near), hn::AndNot(is_steep, too_thin));
-  events.slack = hn::Max(events.slack, hn::Set(d, cylinder_slack));
   if (departures == nullptr) return flag(events, is_open);
   flag(events, hn::AndNot(departing, is_open));
   flag(events, hn::And(departing, is_steep));
-  depart_from_round(d, line, middle, outside_is_positive, 2 * cylinder_slack, departing, *departures, i, events);
+  depart_from_round(d, line, middle, outside_is_positive, 2 * round_slack, departing, *departures, i, events);
 }
 
 /// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin; the operations of quadric_line.h,
@@ -284,11 +287,10 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface&
   events.positive_before[i] = hn::Or(hn::And(has_none, sign_of_none), hn::AndNot(has_none, two));
   const auto is_open = hn::AndNot(has_none, hn::Not(is_sound));
   if (departures == nullptr) {
-    events.slack = hn::Max(events.slack, hn::IfThenElseZero(hn::AndNot(has_none, is_sound), slack));
+    widen(events, hn::IfThenElseZero(hn::AndNot(has_none, is_sound), slack));
     return flag(events, is_open);
   }
-  events.slack =
-      hn::Max(events.slack, hn::IfThenElseZero(hn::AndNot(departing, hn::AndNot(has_none, is_sound)), slack));
+  widen(events, hn::IfThenElseZero(hn::AndNot(departing, hn::AndNot(has_none, is_sound)), slack));
   flag(events, hn::AndNot(departing, is_open));
   // From the closest approach, where f' = 2 b, the two roots lie as far apart on either side of -b / a.
   const V ratio = hn::Div(f.b, f.a);
@@ -303,7 +305,7 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface&
       hn::Or(hn::Gt(other_slack, set(greatest_slack)), hn::Lt(hn::Sub(other, line.start), set(2 * greatest_slack)));
   flag(events, hn::And(departing, hn::Not(certain_a)));
   flag(events, hn::And(comes_back, too_near));
-  events.slack = hn::Max(events.slack, hn::IfThenElseZero(comes_back, other_slack));
+  widen(events, hn::IfThenElseZero(comes_back, other_slack));
   const V before = hn::Neg(never);
   events.first[i] = hn::IfThenElse(departing, before, events.first[i]);
   events.second[i] = hn::IfThenElse(departing, hn::IfThenElse(leaves, before, other), events.second[i]);
@@ -318,7 +320,8 @@ HWY_INLINE void loosen_far_events(D d, const LineLanes<D>& line, const LaneSurfa
                                   std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
   if (plane.kind < LaneSurface::Kind::plane) {
-    const V guard = line.guard[static_cast<std::size_t>(plane.kind)];
+    if (!line.any_is_loose) return;
+    const V guard = line.guard[axis_of(plane.kind)];
     return flag(events, hn::AndNot(departing, hn::Ge(guard, hn::Zero(d))));
   }
   const Triples<V> n{hn::Set(d, plane.c[0]), hn::Set(d, plane.c[1]), hn::Set(d, plane.c[2])};
@@ -327,7 +330,7 @@ HWY_INLINE void loosen_far_events(D d, const LineLanes<D>& line, const LaneSurfa
   const V off = hn::Div(hn::Mul(hn::Set(d, plane.c[4]), ways), slope);
   const auto is_sound = hn::Or(departing, hn::Le(off, hn::Set(d, greatest_slack)));
   flag(events, hn::Not(is_sound));
-  events.slack = hn::Max(events.slack, hn::IfThenElseZero(hn::AndNot(departing, is_sound), off));
+  widen(events, hn::IfThenElseZero(hn::AndNot(departing, is_sound), off));
 }
 
 /// The events of all surfaces of a cell.
@@ -336,7 +339,7 @@ HWY_INLINE void cell_events(D d, const LineLanes<D>& line, const CellData& cells
                             const Departures<D>* departures, Events<D>& events) {
   using Kind = LaneSurface::Kind;
   const auto nobody = hn::Ne(line.start, line.start);
-  events.slack = line.slack;
+  events.slack = certified ? hn::Max(line.slack, hn::Set(d, cell.slack)) : line.slack;
   events.flagged = nobody;
   for (std::size_t i = 0; i < cell.slot_count; ++i) {
     const std::uint32_t id = cells.slots[cell.first_slot + i].surface();

@@ -63,6 +63,13 @@ HWY_INLINE Exact<hn::Vec<D>> two_product(D d, hn::Vec<D> a, hn::Vec<D> b) {
 #endif
 }
 
+/// Lanes without certificates are for the benchmark of what these cost: no bounds, nothing flagged, ties as they come.
+#ifdef CSGCAST_UNCERTIFIED_LANES
+constexpr bool certified = false;
+#else
+constexpr bool certified = true;
+#endif
+
 /// 2^n, of a normal double.
 inline double power_of_two(int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52); }
 
@@ -78,12 +85,15 @@ struct LineLanes {
 
   Triples<V> walk_near, walk_direction;  ///< in the axes of the cells
   V axis_inverse[3];                     ///< of walk_direction; huge where it is zero
-  V across_inverse[3];  ///< 1 / (direction_squared less the axis' own part); 0 for rays nearly along the axis
-  V across_size[3];     ///< the root of that part, for these rays; else -1
-  V guard[3];           ///< how near a plane square to an axis must be to be left to the caster; below 0: never
-  V start, end;         ///< tau
-  V end_error;          ///< four times what the end is off
-  V slack;              ///< four times what an event with a plane square to an axis may be off
+  V across_inverse[3];   ///< 1 / (direction_squared less the axis' own part); 0 for rays nearly along the axis
+  bool any_is_steep[3];  ///< some lane is nearly along the axis
+  V across_size[3];      ///< then: the root of that part, for these rays; else -1
+  bool any_is_loose;     ///< some lane is not certain of all planes square to some axis
+  V guard[3];            ///< then: how near such a plane must be to be left to the caster; below 0: never
+  V start, end;          ///< tau
+  bool ends;             ///< some lane does
+  V end_error;           ///< four times what the end is off
+  V slack;               ///< four times what an event with a plane square to an axis may be off
   M valid;
 };
 
@@ -154,6 +164,30 @@ HWY_INLINE Triples<hn::Vec<D>> turned(D d, const std::array<Vector, 3>& axes, co
   return {dot(in_all_lanes(d, axes[0]), v), dot(in_all_lanes(d, axes[1]), v), dot(in_all_lanes(d, axes[2]), v)};
 }
 
+/// More than four times what coordinates on the way, and so the borders of cells, are off.
+constexpr double least_slack = 0x1p-46;
+
+/// How certain events with planes square to an axis are.
+template <class D>
+HWY_INLINE void set_slack(D d, const AxisBounds& bounds, const hn::Vec<D>* along, LineLanes<D>& line) {
+  using V = hn::Vec<D>;
+  const V least = hn::Set(d, least_slack);
+  const V factor = hn::Set(d, bounds.slack);
+  const V greatest = hn::Set(d, greatest_slack);
+  const V most = hn::Mul(factor, longest(Triples<V>{line.axis_inverse[0], line.axis_inverse[1], line.axis_inverse[2]}));
+  line.slack = hn::Max(least, most);
+  line.any_is_loose = !hn::AllFalse(d, hn::Gt(most, greatest));
+  if (!line.any_is_loose) return;
+  line.slack = least;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const V off = hn::Mul(factor, hn::Abs(line.axis_inverse[axis]));
+    const auto is_loose = hn::Gt(off, greatest);
+    line.slack = hn::Max(line.slack, hn::IfThenZeroElse(is_loose, off));
+    const V guard = hn::Max(hn::Set(d, bounds.guard), hn::Mul(hn::Set(d, 8.5), hn::Abs(along[axis])));
+    line.guard[axis] = hn::IfThenElse(is_loose, guard, hn::Set(d, -1.0));
+  }
+}
+
 /// What walks and tests need besides.
 template <class D>
 HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, std::size_t first, std::size_t count,
@@ -168,31 +202,27 @@ HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, 
     line.walk_direction = turned(d, cells.axes, line.direction);
   }
   const V along[3] = {line.walk_direction.x, line.walk_direction.y, line.walk_direction.z};
-  V slack = hn::Set(d, 0x1p-46);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    // By the inverse: what is as good as zero counts as positive throughout.
-    line.axis_inverse[axis] = inverse_of(d, along[axis]);
-    const V off = hn::Mul(hn::Set(d, bounds.slack), hn::Abs(line.axis_inverse[axis]));
-    const auto is_loose = hn::Gt(off, hn::Set(d, greatest_slack));
-    slack = hn::Max(slack, hn::IfThenZeroElse(is_loose, off));
-    const V guard = hn::Max(hn::Set(d, bounds.guard), hn::Mul(hn::Set(d, 8.5), hn::Abs(along[axis])));
-    line.guard[axis] = hn::IfThenElse(is_loose, guard, hn::Set(d, -1.0));
-  }
-  line.slack = slack;
+  // By the inverse: what is as good as zero counts as positive throughout.
+  for (std::size_t axis = 0; axis < 3; ++axis) line.axis_inverse[axis] = inverse_of(d, along[axis]);
+  line.slack = hn::Set(d, certified ? least_slack : 0.0);
+  line.any_is_loose = false;
+  if (certified && cells.has_axis_planes) set_slack(d, bounds, along, line);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!cells.has_cylinders[axis]) continue;
     const V i = along[(axis + 1) % 3];
     const V j = along[(axis + 2) % 3];
     const V across = hn::MulAdd(i, i, hn::Mul(j, j));
     const auto is_steep = hn::Lt(across, hn::Set(d, bounds.steep));
-    line.across_inverse[axis] = hn::IfThenZeroElse(is_steep, hn::Div(hn::Set(d, 1.0), across));
-    line.across_size[axis] = hn::Set(d, -1.0);
-    if (!hn::AllFalse(d, is_steep))
-      line.across_size[axis] = hn::IfThenElse(is_steep, hn::Sqrt(across), line.across_size[axis]);
+    line.across_inverse[axis] = hn::Div(hn::Set(d, 1.0), across);
+    line.any_is_steep[axis] = !hn::AllFalse(d, is_steep);
+    if (!line.any_is_steep[axis]) continue;
+    line.across_inverse[axis] = hn::IfThenZeroElse(is_steep, line.across_inverse[axis]);
+    line.across_size[axis] = hn::IfThenElse(is_steep, hn::Sqrt(across), hn::Set(d, -1.0));
   }
   line.start = rays.whole_line ? hn::Neg(hn::Inf(d)) : hn::Neg(line.shift);
   line.end = hn::Inf(d);
   line.end_error = zero;
+  line.ends = rays.end != nullptr;
   if (rays.end != nullptr) {
     const V end = load_lanes(d, rays.end + first, count);
     line.end = hn::Sub(hn::Div(end, line.unit), line.shift);

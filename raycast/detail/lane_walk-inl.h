@@ -97,6 +97,7 @@ class Walk {
   }
 
   HWY_INLINE void flag(M lanes) {
+    if constexpr (!certified) return;
     flagged_ = hn::Or(flagged_, lanes);
     live_ = hn::AndNot(lanes, live_);
   }
@@ -164,13 +165,14 @@ class Walk {
     if (cell.slot_count == 0) {
       if (!hn::AllFalse(d, starting)) begin(starting, cell.value ? starting : hn::Xor(starting, starting));
       // The state on the way in must agree: it does, unless something is wrong.
-      const M value = cell.value ? active : hn::Xor(active, active);
-      return flag(hn::And(live_, hn::And(active, hn::Xor(value, hn::And(active, now_inside_)))));
+      return flag(cell.value ? hn::AndNot(now_inside_, active) : hn::And(now_inside_, active));
     }
     counts_.surface_tests += cell.slot_count;
     cell_events(d, line_, cells_, cell, departures_, events_);
-    flag(hn::And(active, events_.flagged));
-    active = hn::And(active, live_);
+    if constexpr (certified) {
+      flag(hn::And(active, events_.flagged));
+      active = hn::And(active, live_);
+    }
     if (!hn::AllFalse(d, hn::And(starting, live_))) start(cell, hn::And(starting, live_));
     sweep(cell, from, to, hn::And(active, live_));
   }
@@ -178,8 +180,9 @@ class Walk {
   /// What lanes start in; those with an event at the start are flagged.
   void start(const Cell& cell, M lanes) {
     const D d;
-    const U before = state_at(cell, hn::Sub(line_.start, events_.slack));
     const U after = state_at(cell, hn::Add(line_.start, events_.slack));
+    if constexpr (!certified) return begin(lanes, value_of(cell, after));
+    const U before = state_at(cell, hn::Sub(line_.start, events_.slack));
     const M differs = hn::And(lanes, hn::RebindMask(d, hn::Ne(before, after)));
     flag(differs);
     begin(hn::AndNot(differs, lanes), value_of(cell, after));
@@ -261,33 +264,37 @@ class Walk {
   HWY_INLINE void sweep(const Cell& cell, V from, V to, M active) {
     const D d;
     const V slack = events_.slack;
+    V limit = hn::Add(to, slack);
     // Finite: an event at infinity is none.
-    const V limit = hn::Min(hn::Add(to, slack), hn::Set(d, std::numeric_limits<double>::max()));
+    if (cells_.reaches_beyond) limit = hn::Min(limit, hn::Set(d, std::numeric_limits<double>::max()));
     V at = hn::Add(from, slack);
     V next = next_after(cell, at);
     // The lanes with an event to look at. Close to the end of what is asked nothing is certain.
     const auto due = [&](M lanes) {
       const M todo = hn::And(lanes, hn::Le(next, limit));
-      flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, hn::Add(slack, line_.end_error)))));
+      if (line_.ends) flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, hn::Add(slack, line_.end_error)))));
       return hn::And(todo, live_);
     };
     M todo = due(active);
     if (hn::AllFalse(d, todo)) return;
     U state = state_at(cell, at);
-    M inside = value_of(cell, state);
-    const M disagrees = hn::And(todo, hn::Xor(inside, now_inside_));
-    flag(disagrees);
-    todo = hn::AndNot(disagrees, todo);
+    if constexpr (certified) {
+      const M disagrees = hn::And(todo, hn::Xor(value_of(cell, state), now_inside_));
+      flag(disagrees);
+      todo = hn::AndNot(disagrees, todo);
+    }
     while (!hn::AllFalse(d, todo)) {
       const U after = state_at(cell, hn::Add(next, slack));
       U flips = hn::Xor(state, after);
       const M value = value_of(cell, after);
       M changes = hn::And(todo, hn::Xor(value, now_inside_));
-      const M several = hn::AndNot(has_one_bit(flips), todo);
-      if (!hn::AllFalse(d, several)) {
-        settle(cell, state, after, next, several, flips);
-        todo = hn::And(todo, live_);
-        changes = hn::And(changes, live_);
+      if constexpr (certified) {
+        const M several = hn::AndNot(has_one_bit(flips), todo);
+        if (!hn::AllFalse(d, several)) {
+          settle(cell, state, after, next, several, flips);
+          todo = hn::And(todo, live_);
+          changes = hn::And(changes, live_);
+        }
       }
       record(cell, changes, flips, after);
       state = after;

@@ -2,6 +2,8 @@
 // What certification costs: first hits and whole lists of 256 x 256 parallel rays with certified and with uncertified
 // predicates, in turn, nine times; the median of the ratios of their times. And how many rays needed more than double:
 // on those rays, and on 512 x 512 along the axes. Scenes are welded, as the program does it.
+// Then the same of the lanes: packets with certificates beside packets without, first hits, any hits and lists, t as it
+// comes.
 // Usage: bench_certification SCENE.csg ..
 #include <fmt/format.h>
 
@@ -14,7 +16,11 @@
 #include "csg/text/builder.h"
 #include "csg/text/reader.h"
 #include "raycast/caster.h"
+#include "raycast/cells.h"
+#include "raycast/detail/lanes.h"
+#include "tests/bench/peers/ray_batch.h"
 #include "tests/bench/rays_across.h"
+#include "tests/bench/uncertified_lanes.h"
 
 namespace csgcast::bench {
 namespace {
@@ -71,6 +77,84 @@ void report(const std::string& file) {
              share_flagged(scene, rays_across(box, {0, 0, -1}, axis_side)));
 }
 
+// What lanes find of some rays, and how long they take for it.
+class LaneRun {
+ public:
+  LaneRun(const Cells& cells, const RayBatch& rays)
+      : cells_(cells),
+        rays_(rays.arrays()),
+        state_(rays.size()),
+        t_(rays.size()),
+        surface_(rays.size()),
+        ends_(rays.size()) {}
+
+  double first_hits(const detail::LaneCode& code) {
+    return seconds([&] { code.packet.first_hits(cells_.scene(), cells_.data(), rays_, hits(), counts_); });
+  }
+  double any_hits(const detail::LaneCode& code) {
+    return seconds([&] { code.packet.any_hits(cells_.scene(), cells_.data(), rays_, hits(), counts_); });
+  }
+  double lists(const detail::LaneCode& code) {
+    return seconds([&] {
+      intervals_.clear();
+      code.packet.lists(cells_.scene(), cells_.data(), rays_, {&intervals_, ends_.data(), &left_}, counts_);
+    });
+  }
+
+ private:
+  template <class Call>
+  double seconds(const Call& call) {
+    left_.clear();
+    const auto start = std::chrono::steady_clock::now();
+    call();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  detail::LaneHits hits() {
+    detail::LaneHits hits;
+    hits.faces.state = state_.data();
+    hits.faces.t = t_.data();
+    hits.faces.surface = surface_.data();
+    hits.left = &left_;
+    return hits;
+  }
+
+  const Cells& cells_;
+  RayArrays rays_;
+  std::vector<std::uint8_t> state_;
+  std::vector<double> t_;
+  std::vector<std::uint32_t> surface_;
+  std::vector<std::size_t> ends_;
+  std::vector<std::uint32_t> left_;
+  IntervalList intervals_;
+  PacketCounts counts_;
+};
+
+double cost_in_lanes(LaneRun& run, double (LaneRun::*query)(const detail::LaneCode&)) {
+  constexpr int lane_passes = 41;
+  const detail::LaneCode& certified = detail::lane_codes().front();
+  std::vector<double> ratios;
+  for (int pass = 0; pass < lane_passes; ++pass) {
+    // Whoever goes first finds the cache colder: they take turns in that, too.
+    const bool certified_first = pass % 2 == 0;
+    const double one = (run.*query)(certified_first ? certified : uncertified_lanes());
+    const double other = (run.*query)(certified_first ? uncertified_lanes() : certified);
+    ratios.push_back(certified_first ? one / other : other / one);
+  }
+  std::nth_element(ratios.begin(), ratios.begin() + lane_passes / 2, ratios.end());
+  return ratios[lane_passes / 2];
+}
+
+void report_lanes(const std::string& file) {
+  const Scene scene = compile(text::build(text::read_file(file)).solid, Welding::derived());
+  const Cells cells(scene);
+  const RayBatch rays(rays_across(scene.bounded_leaves(), normalised({-0.61, 0.37, -0.29}), side));
+  LaneRun run(cells, rays);
+  fmt::print("{:24} {:10.3f} {:10.3f} {:10.3f}\n", std::filesystem::path(file).stem().string(),
+             cost_in_lanes(run, &LaneRun::first_hits), cost_in_lanes(run, &LaneRun::any_hits),
+             cost_in_lanes(run, &LaneRun::lists));
+}
+
 }  // namespace
 }  // namespace csgcast::bench
 
@@ -80,6 +164,8 @@ int main(int argc, char** argv) {
     fmt::print("{:24} {:>10} {:>10} {:>10} {:>8} {:>8} {:>8}\n", "scene", "first hit", "lists", "oblique", "-x", "+y",
                "-z");
     for (int i = 1; i < argc; ++i) csgcast::bench::report(argv[i]);
+    fmt::print("\nthe same of packets\n{:24} {:>10} {:>10} {:>10}\n", "scene", "first hit", "any hit", "lists");
+    for (int i = 1; i < argc; ++i) csgcast::bench::report_lanes(argv[i]);
   } catch (const csgcast::Error& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;
