@@ -54,13 +54,13 @@ template <class D>
 HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const LaneSurface& plane, std::size_t axis,
                                   std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
-  const Triples<V>& from = line.walk_near;
-  const V near = axis == 0 ? from.x : axis == 1 ? from.y : from.z;
-  const V gap = hn::Sub(hn::Set(d, plane.c[0]), near);
-  events.first[i] = hn::Mul(gap, line.axis_inverse[axis]);
+  events.first[i] = tau_at(d, line, axis, plane.c[0]);
   const auto falls = hn::Lt(line.axis_inverse[axis], hn::Zero(d));
   events.positive_before[i] = plane.c[1] > 0 ? falls : hn::Not(falls);
-  if (line.any_is_loose) flag(events, hn::Lt(hn::Abs(gap), line.guard[axis]));
+  if (!line.any_is_loose) return;
+  const Triples<V>& near = line.walk_near;
+  const V gap = hn::Sub(hn::Set(d, plane.c[0]), axis == 0 ? near.x : axis == 1 ? near.y : near.z);
+  flag(events, hn::Lt(hn::Abs(gap), line.guard[axis]));
 }
 
 /// Of the surface that they depart from, lanes see nothing but what lies ahead: of a plane the side that the slope
@@ -77,8 +77,8 @@ HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const LaneSurface& p
                              std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
   const Triples<V> n{hn::Set(d, plane.c[0]), hn::Set(d, plane.c[1]), hn::Set(d, plane.c[2])};
-  const V slope = dot(n, line.direction);
-  const V value = hn::Add(dot(n, line.near), hn::Set(d, plane.c[3]));
+  const V slope = fused_dot(n, line.direction);
+  const V value = hn::Add(fused_dot(n, line.near), hn::Set(d, plane.c[3]));
   const V size = hn::Abs(slope);
   const V tiny = hn::Set(d, 1e-250);
   const V inverse = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(hn::Lt(size, tiny), tiny, slope));
@@ -115,10 +115,10 @@ HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& 
   using V = hn::Vec<D>;
   const Triples<V> v{hn::Sub(line.near.x, hn::Set(d, sphere.c[0])), hn::Sub(line.near.y, hn::Set(d, sphere.c[1])),
                      hn::Sub(line.near.z, hn::Set(d, sphere.c[2]))};
-  const V middle = hn::Mul(hn::Neg(dot(v, line.direction)), line.inverse_squared);
+  const V middle = hn::Mul(hn::Neg(fused_dot(v, line.direction)), line.inverse_squared);
   const Triples<V> closest{hn::MulAdd(middle, line.direction.x, v.x), hn::MulAdd(middle, line.direction.y, v.y),
                            hn::MulAdd(middle, line.direction.z, v.z)};
-  const V discriminant = hn::Sub(hn::Set(d, sphere.c[3]), dot(closest, closest));
+  const V discriminant = hn::Sub(hn::Set(d, sphere.c[3]), fused_dot(closest, closest));
   const auto misses = hn::Lt(discriminant, hn::Zero(d));
   const V half = hn::Sqrt(hn::Mul(hn::Max(discriminant, hn::Zero(d)), line.inverse_squared));
   const V never = hn::Inf(d);

@@ -85,6 +85,7 @@ struct LineLanes {
 
   Triples<V> walk_near, walk_direction;  ///< in the axes of the cells
   V axis_inverse[3];                     ///< of walk_direction; huge where it is zero
+  V axis_offset[3];                      ///< walk_near times that
   V across_inverse[3];   ///< 1 / (direction_squared less the axis' own part); 0 for rays nearly along the axis
   bool any_is_steep[3];  ///< some lane is nearly along the axis
   V across_size[3];      ///< then: the root of that part, for these rays; else -1
@@ -151,6 +152,18 @@ HWY_INLINE void set_line(D d, const Frame& frame, const CellData& cells, const R
   set_near(d, frame, load_lanes(d, rays.origin, first, count), line);
 }
 
+/// tau at which the line passes a place on an axis of the cells.
+template <class D>
+HWY_INLINE hn::Vec<D> tau_at(D d, const LineLanes<D>& line, std::size_t axis, double place) {
+  return hn::MulSub(hn::Set(d, place), line.axis_inverse[axis], line.axis_offset[axis]);
+}
+
+/// With fewer roundings than dot: for what is certified by bounds, and told of by other formulas.
+template <class V>
+HWY_INLINE V fused_dot(const Triples<V>& a, const Triples<V>& b) {
+  return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
+}
+
 /// 1 / v; of zero a number so large that a product with anything but zero is out of the way.
 template <class D>
 HWY_INLINE hn::Vec<D> inverse_of(D d, hn::Vec<D> v) {
@@ -203,7 +216,11 @@ HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, 
   }
   const V along[3] = {line.walk_direction.x, line.walk_direction.y, line.walk_direction.z};
   // By the inverse: what is as good as zero counts as positive throughout.
-  for (std::size_t axis = 0; axis < 3; ++axis) line.axis_inverse[axis] = inverse_of(d, along[axis]);
+  const V near[3] = {line.walk_near.x, line.walk_near.y, line.walk_near.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    line.axis_inverse[axis] = inverse_of(d, along[axis]);
+    line.axis_offset[axis] = hn::Mul(near[axis], line.axis_inverse[axis]);
+  }
   line.slack = hn::Set(d, certified ? least_slack : 0.0);
   line.any_is_loose = false;
   if (certified && cells.has_axis_planes) set_slack(d, bounds, along, line);

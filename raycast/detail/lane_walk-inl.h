@@ -71,10 +71,6 @@ class Walk {
   U end_count() const { return count_; }
 
  private:
-  HWY_INLINE V near(unsigned axis) const {
-    return axis == 0 ? line_.walk_near.x : axis == 1 ? line_.walk_near.y : line_.walk_near.z;
-  }
-
   HWY_INLINE unsigned signs_of(std::size_t lane) const {
     const D d;
     unsigned signs = 0;
@@ -89,8 +85,8 @@ class Walk {
   HWY_INLINE void clip(V& from, V& to) const {
     const D d;
     for (unsigned axis = 0; axis < 3; ++axis) {
-      const V low = hn::Mul(hn::Sub(hn::Set(d, cells_.box.lower[axis]), near(axis)), line_.axis_inverse[axis]);
-      const V high = hn::Mul(hn::Sub(hn::Set(d, cells_.box.upper[axis]), near(axis)), line_.axis_inverse[axis]);
+      const V low = tau_at(d, line_, axis, cells_.box.lower[axis]);
+      const V high = tau_at(d, line_, axis, cells_.box.upper[axis]);
       from = hn::Max(from, hn::Min(low, high));
       to = hn::Min(to, hn::Max(low, high));
     }
@@ -116,18 +112,19 @@ class Walk {
       while (!node->is_end()) {
         ++counts_.nodes;
         const unsigned axis = node->axis;
-        const V split = hn::Mul(hn::Sub(hn::Set(d, node->split), near(axis)), line_.axis_inverse[axis]);
+        const V split = tau_at(d, line_, axis, node->split);
+        const V first_to = hn::Min(to, split);
+        const V second_from = hn::Max(from, split);
         const bool upwards = ((signs >> axis) & 1) == 0;
         const std::uint32_t first = upwards ? at + 1 : node->above;
         const std::uint32_t second = upwards ? node->above : at + 1;
-        const M active = hn::Le(from, to);
-        const bool to_first = !hn::AllFalse(d, hn::And(active, hn::Le(from, split)));
-        const bool to_second = !hn::AllFalse(d, hn::And(active, hn::Ge(to, split)));
+        const bool to_first = !hn::AllFalse(d, hn::Le(from, first_to));
+        const bool to_second = !hn::AllFalse(d, hn::Le(second_from, to));
         if (to_first && to_second) {
-          stack[height].from = hn::Max(from, split);
+          stack[height].from = second_from;
           stack[height].to = to;
           stack[height++].node = second;
-          to = hn::Min(to, split);
+          to = first_to;
         }
         at = to_first ? first : second;
         node = &cells_.nodes[at];
