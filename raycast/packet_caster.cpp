@@ -126,12 +126,11 @@ struct PacketCaster::State {
     }
   }
 
+  // t of the ends of rays whose lanes could not round it.
   void round(const RayArrays& rays, std::size_t base, IntervalBatch& batch) {
-    for (std::size_t i = 0; i < rays.count; ++i) {
-      const std::size_t from = batch.offsets[base + i], to = batch.offsets[base + i + 1];
-      if (from == to) continue;
+    for (const std::uint32_t i : unrounded) {
       begin(caster, rays, i);
-      for (std::size_t k = from; k < to; ++k) {
+      for (std::size_t k = batch.offsets[base + i]; k < batch.offsets[base + i + 1]; ++k) {
         Interval& interval = batch.intervals[k];
         if (interval.entry.surface.valid()) interval.entry = caster.reported(interval.entry);
         if (interval.exit.surface.valid()) interval.exit = caster.reported(interval.exit);
@@ -143,8 +142,11 @@ struct PacketCaster::State {
   void add(const RayArrays& rays, std::size_t base, IntervalBatch& batch, Rounding rounding) {
     batch.offsets.resize(base + rays.count + 1);
     const std::size_t left_before = left.size();
-    code.lists(cells.scene(), cells.data(), rays, {&batch.intervals, batch.offsets.data() + base + 1, &left}, counts);
-    if (rounding == Rounding::nearest) round(rays, base, batch);
+    unrounded.clear();
+    const detail::LaneLists lists{&batch.intervals, batch.offsets.data() + base + 1, &left,
+                                  rounding == Rounding::nearest, &unrounded};
+    code.lists(cells.scene(), cells.data(), rays, lists, counts);
+    round(rays, base, batch);
     insert_left(rays, base, left_before, batch);
     for (std::size_t k = left_before; k < left.size(); ++k) left[k] += static_cast<std::uint32_t>(base);
   }
@@ -159,7 +161,8 @@ struct PacketCaster::State {
   std::array<double, rays_at_once> t;
   std::array<std::uint32_t, rays_at_once> surface;
   std::array<std::uint8_t, rays_at_once> root;
-  std::vector<std::uint32_t> left;  // the rays that lanes could not decide
+  std::vector<std::uint32_t> left;       // the rays that lanes could not decide
+  std::vector<std::uint32_t> unrounded;  // and those whose t they could not round
   IntervalList list;
 };
 
@@ -180,15 +183,15 @@ void PacketCaster::first_hits(const RayArrays& rays, const HitArrays& hits, Roun
   State& state = *state_;
   detail::LaneHits lanes;
   static_cast<HitArrays&>(lanes.faces) = hits;
+  lanes.rounds = rounding == Rounding::nearest;
+  lanes.unrounded = &state.unrounded;
   lanes.left = &state.left;
+  state.unrounded.clear();
   state.left.clear();
   state.code.first_hits(scene(), state.cells.data(), rays, lanes, state.counts);
-  if (rounding == Rounding::nearest) {
-    for (std::size_t i = 0; i < rays.count; ++i) {
-      if (hits.state[i] == HitArrays::none) continue;
-      begin(state.caster, rays, i);
-      hits.t[i] = state.caster.reported({hits.t[i], SurfaceId(hits.surface[i]), hits.root[i]}).t;
-    }
+  for (const std::uint32_t i : state.unrounded) {
+    begin(state.caster, rays, i);
+    hits.t[i] = state.caster.reported({hits.t[i], SurfaceId(hits.surface[i]), hits.root[i]}).t;
   }
   for (const std::uint32_t i : state.left) {
     begin(state.caster, rays, i);

@@ -12,6 +12,20 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
+/// The logarithm of a power of two below 2^63: the exponent of the same number as a double.
+template <class D>
+HWY_INLINE hn::Vec<BitsOf<D>> logarithm(D d, hn::Vec<BitsOf<D>> power) {
+  const hn::RebindToSigned<D> whole;
+  return hn::Sub(biased_exponent(d, hn::ConvertTo(d, hn::BitCast(whole, power))), hn::Set(BitsOf<D>(), 1023));
+}
+
+template <class D>
+HWY_INLINE hn::Mask<D> has_one_bit(D d, hn::Vec<BitsOf<D>> word) {
+  const BitsOf<D> bits;
+  const auto rest = hn::And(word, hn::Sub(word, hn::Set(bits, 1)));
+  return hn::RebindMask(d, hn::And(hn::Eq(rest, hn::Zero(bits)), hn::Ne(word, hn::Zero(bits))));
+}
+
 /// The crossings of the surfaces of one cell. A surface is positive after an even number of its two events, if it was
 /// before them.
 template <class D>

@@ -107,8 +107,9 @@ template <class D>
 struct Told {
   using V = hn::Vec<D>;
   V t;
-  hn::Mask<D> second;  ///< Crossing::root
-  hn::Mask<D> left;    ///< lanes that need the scalar code
+  hn::Mask<D> second;     ///< Crossing::root
+  hn::Mask<D> left;       ///< lanes that need the scalar code
+  hn::Mask<D> unrounded;  ///< lanes whose t needs it, where it is rounded
   Triples<V> place, normal;
 };
 
@@ -116,14 +117,15 @@ struct Told {
 template <class D>
 HWY_INLINE void tell_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line, hn::Mask<D> hits,
                           hn::Vec<BitsOf<D>> surfaces, hn::Mask<D> rises, hn::Mask<D> enters, bool wants_faces,
-                          Told<D>& told) {
+                          bool rounds, Told<D>& told) {
   using V = hn::Vec<D>;
   const BitsOf<D> bits;
   HWY_ALIGN std::uint64_t ids[16];
   hn::Store(surfaces, bits, ids);
   const V zero = hn::Zero(d);
   V tau = zero;
-  told.second = told.left = hn::MaskFromVec(zero);
+  told.t = zero;
+  told.second = told.left = told.unrounded = hn::MaskFromVec(zero);
   told.normal = told.place = {zero, zero, zero};
   for (auto rest = hits; !hn::AllFalse(d, rest);) {
     const std::uint64_t id = ids[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
@@ -136,13 +138,20 @@ HWY_INLINE void tell_hits(D d, const Scene& scene, const CellData& cells, const 
     told.left = hn::Or(told.left, hn::And(same, is_open));
     told.second = hn::Or(told.second, hn::And(same, second));
     tau = hn::IfThenElse(same, own, tau);
+    if (rounds) {
+      V nearest;
+      const auto certain = nearest_t_lanes(d, line, surface, lane.is_mixed, own, nearest);
+      told.unrounded = hn::Or(told.unrounded, hn::AndNot(certain, same));
+      told.t = hn::IfThenElse(hn::And(same, certain), nearest, told.t);
+    }
     if (!wants_faces) continue;
     const auto p = place_of(d, line, scene.frame(), own);
     const auto n = unit_gradient(d, surface, lane, scene.frame(), p);
     told.place = choose(same, p, told.place);
     told.normal = choose(same, n, told.normal);
   }
-  told.t = hn::Mul(hn::Add(line.shift, tau), line.unit);
+  const V close = hn::Mul(hn::Add(line.shift, tau), line.unit);
+  told.t = rounds ? hn::IfThenElse(told.unrounded, close, told.t) : close;
   if (!wants_faces) return;
   told.left = hn::Or(told.left, hn::And(hits, hn::Eq(longest(told.normal), zero)));
   told.left = hn::Or(told.left, hn::And(hits, hn::Not(hn::Lt(longest(told.place), hn::Set(d, 0x1p1000)))));

@@ -81,6 +81,7 @@ struct LineLanes {
   Triples<V> near, low, direction;
   V direction_squared, inverse_squared;  ///< if the scene has quadrics
   V shift, unit;
+  V low_error;   ///< a bound for what each coordinate of `near` + `low` is off
   V near_error;  ///< a bound for what each coordinate of `near` is off
 
   Triples<V> walk_near, walk_direction;  ///< in the axes of the cells
@@ -126,8 +127,8 @@ HWY_INLINE void set_near(D d, const Frame& frame, const Triples<hn::Vec<D>>& o, 
     move(line.direction.z, line.near.z, line.low.z);
   }
   const V reach = hn::Add(size, hn::Mul(hn::Set(d, 2.0), hn::Abs(line.shift)));
-  const V low_error = hn::Add(hn::Mul(hn::Set(d, 0x8p-106), reach), hn::Set(d, 0x1p-1000));
-  line.near_error = hn::Add(hn::Mul(hn::Set(d, 0x1p-53), longest(line.near)), low_error);
+  line.low_error = hn::Add(hn::Mul(hn::Set(d, 0x8p-106), reach), hn::Set(d, 0x1p-1000));
+  line.near_error = hn::Add(hn::Mul(hn::Set(d, 0x1p-53), longest(line.near)), line.low_error);
 }
 
 /// The line in its frame, as LineFrame makes it.

@@ -33,7 +33,7 @@ class Walk {
     const V zero = hn::Zero(d);
     flagged_ = hn::AndNot(line_.valid, lanes);
     live_ = hn::And(lanes, line_.valid);
-    found_ = begun_ = now_inside_ = started_inside_ = hn::MaskFromVec(zero);
+    found_ = begun_ = now_inside_ = started_inside_ = unrounded_ = hn::MaskFromVec(zero);
     if constexpr (wanted == Wanted::all) ends_->clear();
     slot_ = count_ = hn::Zero(Bits());
     rises_ = found_;
@@ -62,6 +62,9 @@ class Walk {
     }
   }
 
+  /// Whether t of ends is to be the nearest double, where lanes can tell.
+  void set_rounds(bool rounds) { rounds_ = rounds; }
+
   M flagged() const { return flagged_; }
   M found() const { return found_; }        ///< the lanes that have an answer but a miss
   M inside() const { return now_inside_; }  ///< of those: that are inside right after
@@ -69,6 +72,7 @@ class Walk {
   U slot() const { return slot_; }
   M rises() const { return rises_; }  ///< the surface turns positive
   U end_count() const { return count_; }
+  M unrounded() const { return unrounded_; }  ///< the lanes with some end whose t lanes could not round
 
  private:
   HWY_INLINE unsigned signs_of(std::size_t lane) const {
@@ -249,13 +253,6 @@ class Walk {
     return stack[0];
   }
 
-  HWY_INLINE M has_one_bit(U word) const {
-    const D d;
-    const Bits bits;
-    const U rest = hn::And(word, hn::Sub(word, hn::Set(bits, 1)));
-    return hn::RebindMask(d, hn::And(hn::Eq(rest, hn::Zero(bits)), hn::Ne(word, hn::Zero(bits))));
-  }
-
   /// Event by event, as long as some lane has one in the cell. An event counts as certain if no other is within slack
   /// of it.
   HWY_INLINE void sweep(const Cell& cell, V from, V to, M active) {
@@ -286,7 +283,7 @@ class Walk {
       const M value = value_of(cell, after);
       M changes = hn::And(todo, hn::Xor(value, now_inside_));
       if constexpr (certified) {
-        const M several = hn::AndNot(has_one_bit(flips), todo);
+        const M several = hn::AndNot(has_one_bit(d, flips), todo);
         if (!hn::AllFalse(d, several)) {
           settle(cell, state, after, next, several, flips);
           todo = hn::And(todo, live_);
@@ -311,7 +308,7 @@ class Walk {
     const U low = hn::And(flips, hn::Sub(hn::Zero(bits), flips));
     const U high = hn::Xor(flips, low);
     const U later = state_at(cell, hn::Add(next, hn::Add(events_.slack, events_.slack)));
-    const M is_pair = hn::And(has_one_bit(high), hn::RebindMask(d, hn::Eq(later, after)));
+    const M is_pair = hn::And(has_one_bit(d, high), hn::RebindMask(d, hn::Eq(later, after)));
     const M before_value = now_inside_;
     const M after_value = value_of(cell, after);
     const M low_value = value_of(cell, hn::Xor(state, low));
@@ -332,7 +329,7 @@ class Walk {
     const Bits bits;
     if (hn::AllFalse(D(), changes)) return;
     const auto lanes = hn::RebindMask(bits, changes);
-    const U index = logarithm(flips);
+    const U index = logarithm(D(), flips);
     const M rises = hn::RebindMask(D(), hn::Ne(hn::And(flips, after), hn::Zero(bits)));
     if constexpr (wanted == Wanted::all) return append(cell, changes, index, rises);
     slot_ = hn::IfThenElse(lanes, hn::Add(hn::Set(bits, cell.first_slot), index), slot_);
@@ -354,22 +351,23 @@ class Walk {
       rest = hn::AndNot(same, rest);
       const std::uint32_t id = cells_.slots[cell.first_slot + i].surface();
       M second, is_open;
-      const V tau = crossing_tau(d, line_, scene_.surfaces()[id], cells_.surfaces[id].is_mixed, rises, second, is_open);
+      const Surface& surface = scene_.surfaces()[id];
+      const bool is_mixed = cells_.surfaces[id].is_mixed;
+      const V tau = crossing_tau(d, line_, surface, is_mixed, rises, second, is_open);
       flag(hn::And(same, is_open));
-      t = hn::IfThenElse(same, hn::Mul(hn::Add(line_.shift, tau), line_.unit), t);
+      V own = hn::Mul(hn::Add(line_.shift, tau), line_.unit);
+      if (rounds_) {
+        V nearest;
+        const M certain = nearest_t_lanes(d, line_, surface, is_mixed, tau, nearest);
+        own = hn::IfThenElse(certain, nearest, own);
+        unrounded_ = hn::Or(unrounded_, hn::AndNot(certain, same));
+      }
+      t = hn::IfThenElse(same, own, t);
       const U root = hn::IfThenElseZero(hn::RebindMask(bits, second), hn::Set(bits, std::uint64_t{1} << 32));
       where = hn::IfThenElse(hn::RebindMask(bits, same), hn::Or(hn::Set(bits, id), root), where);
     }
     ends_->add(changes, t, where);
     count_ = hn::Add(count_, hn::IfThenElseZero(hn::RebindMask(bits, changes), hn::Set(bits, 1)));
-  }
-
-  /// The logarithm of a power of two below 2^63: the exponent of the same number as a double.
-  HWY_INLINE U logarithm(U power) const {
-    const D d;
-    const hn::RebindToSigned<D> whole;
-    const U exponent = csgcast::HWY_NAMESPACE::biased_exponent(d, hn::ConvertTo(d, hn::BitCast(whole, power)));
-    return hn::Sub(exponent, hn::Set(Bits(), 1023));
   }
 
   static constexpr std::size_t most_depth = 72;
@@ -381,7 +379,8 @@ class Walk {
   EndLog<D>* ends_;
   PacketCounts& counts_;
   Events<D> events_;
-  M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_;
+  M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_, unrounded_;
+  bool rounds_ = false;
   U slot_, count_;
 };
 

@@ -19,6 +19,8 @@
 #include "raycast/detail/lane_line-inl.h"
 // The others build on it.
 #include "raycast/detail/lane_events-inl.h"
+#include "raycast/detail/lane_round-inl.h"
+// These on both.
 #include "raycast/detail/lane_hits-inl.h"
 #include "raycast/detail/lane_log-inl.h"
 #include "raycast/detail/lane_walk-inl.h"
@@ -80,17 +82,30 @@ HWY_INLINE void store_bytes(unsigned bits, std::uint8_t* to, std::size_t count) 
   std::memcpy(to, &bytes, count);
 }
 
+/// Adds the rays in some lanes to a list.
+HWY_INLINE void add_lanes(std::vector<std::uint32_t>& rays, std::size_t first, unsigned lanes) {
+  for (; lanes != 0; lanes &= lanes - 1)
+    rays.push_back(static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(__builtin_ctz(lanes)));
+}
+
+HWY_INLINE void leave(std::vector<std::uint32_t>& left, std::size_t first, unsigned lanes, PacketCounts& counts) {
+  add_lanes(left, first, lanes);
+  counts.flagged += static_cast<std::uint64_t>(__builtin_popcount(lanes));
+}
+
 /// What a packet's rays found first. Returns the lanes of which not all is known: whose look or leaf depends on more
 /// than the cell, or whose numbers need the scalar code.
 template <class D>
 HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
                                   const Walk<D, Wanted::first>& walk, hn::Mask<D> found, std::size_t first,
-                                  std::size_t count, const FaceArrays& faces) {
+                                  std::size_t count, const LaneHits& hits) {
+  const FaceArrays& faces = hits.faces;
   const BitsOf<D> bits;
   const auto owners = owners_of(d, cells, walk.slot());
   const bool wants_faces = faces.point[0] != nullptr;
   Told<D> told;
-  tell_hits(d, scene, cells, line, found, owners.surface, walk.rises(), walk.inside(), wants_faces, told);
+  tell_hits(d, scene, cells, line, found, owners.surface, walk.rises(), walk.inside(), wants_faces, hits.rounds, told);
+  if (hits.rounds) add_lanes(*hits.unrounded, first, bits_of(d, told.unrounded));
   store_lanes(d, told.t, faces.t + first, count);
   store_ids(d, owners.surface, faces.surface + first, count);
   if (faces.root != nullptr) store_bytes(bits_of(d, told.second), faces.root + first, count);
@@ -106,13 +121,6 @@ HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells
     store_ids(d, owners.leaf, faces.leaf + first, count);
   }
   return left;
-}
-
-HWY_INLINE void leave(std::vector<std::uint32_t>& left, std::size_t first, unsigned lanes, PacketCounts& counts) {
-  for (; lanes != 0; lanes &= lanes - 1) {
-    left.push_back(static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(__builtin_ctz(lanes)));
-    ++counts.flagged;
-  }
 }
 
 /// Takes the next packet's lines through the cells.
@@ -142,7 +150,7 @@ void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, cons
     const auto found = hn::AndNot(left, walk.found());
     if constexpr (wanted == Wanted::first) {
       if (!hn::AllFalse(d, found))
-        left = hn::Or(left, store_hits(d, scene, cells, line, walk, found, first, count, hits.faces));
+        left = hn::Or(left, store_hits(d, scene, cells, line, walk, found, first, count, hits));
     }
     // HitArrays::entry is 1, exit 2.
     const unsigned found_bits = bits_of(d, found);
@@ -198,12 +206,14 @@ void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays
   LineLanes<D> line;
   EndLog<D> log;
   Walk<D, Wanted::all> walk(scene, cells, line, nullptr, &log, counts);
+  walk.set_rounds(lists.rounds);
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = HWY_MIN(lanes, rays.count - first);
     walk_packet(d, scene, cells, rays, first, count, line, walk, counts);
     const unsigned left = bits_of(d, walk.flagged());
     const unsigned told = ((1u << count) - 1) & ~left;
     append_lists(d, rays, first, count, walk, log, told, lists);
+    if (lists.rounds) add_lanes(*lists.unrounded, first, told & bits_of(d, walk.unrounded()));
     leave(*lists.left, first, left, counts);
   }
 }

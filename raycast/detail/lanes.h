@@ -21,15 +21,19 @@ namespace csgcast::detail {
 /// What was found of each ray. Arrays of FaceArrays may be null where they are not wanted, but `state`.
 struct LaneHits {
   FaceArrays faces;
-  std::vector<std::uint32_t>* left = nullptr;  ///< gets the rays that lanes cannot tell all about: nothing told of
-                                               ///< them means anything
+  bool rounds = false;                              ///< t is wanted rounded to nearest
+  std::vector<std::uint32_t>* unrounded = nullptr;  ///< then: gets the rays whose t still has to be
+  std::vector<std::uint32_t>* left = nullptr;       ///< gets the rays that lanes cannot tell all about: nothing told of
+                                                    ///< them means anything
 };
 
 /// Where the interval lists of rays go.
 struct LaneLists {
-  std::vector<Interval>* intervals = nullptr;  ///< they are appended, ray after ray
-  std::size_t* ends = nullptr;                 ///< by ray: how many intervals there are after its own
-  std::vector<std::uint32_t>* left = nullptr;  ///< gets the rays that lanes cannot tell all about: they have none
+  std::vector<Interval>* intervals = nullptr;       ///< they are appended, ray after ray
+  std::size_t* ends = nullptr;                      ///< by ray: how many intervals there are after its own
+  std::vector<std::uint32_t>* left = nullptr;       ///< gets the rays that lanes cannot tell all about: they have none
+  bool rounds = false;                              ///< t is wanted rounded to nearest
+  std::vector<std::uint32_t>* unrounded = nullptr;  ///< then: gets the rays with an end whose t still has to be
 };
 
 /// The work on rays of one width.
