@@ -29,7 +29,7 @@ struct IntervalTable {
 };
 
 /// A program, or a way to use one, that is asked about the rays of a scene it was made with. Rays come in tiles
-/// (camera_rays.h), and start outside the solid.
+/// (peer_scene.h), and start outside the solid.
 class Engine {
  public:
   virtual ~Engine() = default;
