@@ -95,8 +95,7 @@ HWY_INLINE hn::Mask<D> nearest_t_lanes(D d, const LineLanes<D>& line, const Surf
   const V bend = set(surface.second_degree);
   const V first = set(surface.first_degree);
   const V steepness = hn::MulAdd(hn::Mul(set(2.0), bend), f.size, first);
-  const V reach =
-      hn::MulAdd(set(2.0), hn::Abs(tau), hn::Add(longest(line.near), set(longest(surface.center))));
+  const V reach = hn::MulAdd(set(2.0), hn::Abs(tau), hn::Add(longest(line.near), set(longest(surface.center))));
   const V off = hn::MulAdd(set(16 * uu), reach, line.low_error);
   const V magnitude = hn::MulAdd(hn::MulAdd(bend, f.size, first), f.size, set(surface.constant));
   const V value_error = hn::MulAdd(set(64 * uu), magnitude, hn::Mul(steepness, off));
@@ -116,8 +115,8 @@ HWY_INLINE hn::Mask<D> nearest_t_lanes(D d, const LineLanes<D>& line, const Surf
   t = hn::Mul(below, line.unit);
   const V t_size = hn::Abs(t);
   // No subnormal number, nor one that is infinite.
-  const auto scales = hn::Or(hn::And(hn::Gt(t_size, set(0x1p-1000)), hn::Lt(t_size, set(0x1p1000))),
-                             hn::Eq(t, hn::Zero(d)));
+  const auto scales =
+      hn::Or(hn::And(hn::Gt(t_size, set(0x1p-1000)), hn::Lt(t_size, set(0x1p1000))), hn::Eq(t, hn::Zero(d)));
   const auto is_steep = hn::Lt(hn::Mul(set(4.0), slope_error), size);
   return hn::And(hn::And(hn::Eq(below, above), scales), is_steep);
 }
