@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/cells.h"
 
+#include <utility>
+
 #include "raycast/detail/cell_builder.h"
 
 namespace csgcast {
 
+namespace {
+
+detail::CellData cells_of(const Scene& scene, NodeId node) {
+  detail::CellGround ground(scene, node);
+  detail::CellData data = detail::CellBuilder(ground, scene.leaves().size()).build(node);
+  data.surfaces = std::move(ground.surfaces);
+  return data;
+}
+
+}  // namespace
+
 Cells::Cells(const Scene& scene, NodeId node)
-    : scene_(&scene),
-      node_(node),
-      data_(std::make_unique<const detail::CellData>(detail::CellBuilder(scene, node).build())) {}
+    : scene_(&scene), node_(node), data_(std::make_unique<const detail::CellData>(cells_of(scene, node))) {}
 
 Cells::~Cells() = default;
 Cells::Cells(Cells&&) noexcept = default;

@@ -116,17 +116,7 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   using Clock = std::chrono::steady_clock;
   check(options);
   const Camera camera(view.camera, options.width, options.height);
-  const auto before_cells = Clock::now();
-  std::optional<Cells> cells;
-  const bool suits_packets = options.mode == Mode::shaded && detail::PacketTracer::suits(scene, view, camera);
-  if (options.engine == Engine::packets && suits_packets) cells.emplace(scene);
-  const auto start = Clock::now();
-  const double cpu_start = cpu_seconds();
-  const detail::Job job{scene, view, camera, options.mode, grid_of(options), cells ? &*cells : nullptr};
-  Film film(options.width, options.height, content(options.mode));
   const std::vector<detail::Tile> tiles = tiles_of(options.width, options.height);
-  Progress progress(options.progress, tiles.size());
-  tbb::enumerable_thread_specific<detail::TileRenderer> renderers([&] { return detail::TileRenderer(job); });
   const int threads = threads_of(options, tiles.size());
   // More threads than cores need leave; fewer are the arena's own business.
   std::optional<tbb::global_control> more;
@@ -134,6 +124,16 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
     more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   }
   tbb::task_arena arena(threads);
+  const auto before_cells = Clock::now();
+  std::optional<Cells> cells;
+  const bool suits_packets = options.mode == Mode::shaded && detail::PacketTracer::suits(scene, view, camera);
+  if (options.engine == Engine::packets && suits_packets) arena.execute([&] { cells.emplace(scene); });
+  const auto start = Clock::now();
+  const double cpu_start = cpu_seconds();
+  const detail::Job job{scene, view, camera, options.mode, grid_of(options), cells ? &*cells : nullptr};
+  Film film(options.width, options.height, content(options.mode));
+  Progress progress(options.progress, tiles.size());
+  tbb::enumerable_thread_specific<detail::TileRenderer> renderers([&] { return detail::TileRenderer(job); });
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, tiles.size(), 1),

@@ -39,34 +39,49 @@ CellBox in_frame(const Box& box, const Frame& frame) {
 
 }  // namespace
 
-void CellBuilder::place_leaves(NodeId node) {
-  leaf_boxes_.resize(scene_.leaves().size());
-  for (const Node& at : scene_.nodes()) {
-    if (at.op == Node::Op::leaf) leaf_boxes_[at.first] = box_of_leaf(scene_.leaf(LeafId(at.first)), at.box);
+CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {
+  if (scene.node(node).box.is_finite()) axes = common_axes(scene);
+  forms.reserve(scene.surfaces().size());
+  surfaces.reserve(scene.surfaces().size());
+  for (const Surface& surface : scene.surfaces()) {
+    forms.push_back({surface.local, surface.center});
+    if (axes) forms.back() = axes->turned(forms.back());
+    surfaces.push_back(make_lane_surface(surface, axes ? &forms.back() : nullptr));
   }
-  data_.reaches_beyond = !scene_.node(node).box.is_finite();
-  data_.is_empty = scene_.node(node).box.is_null();
+  even_look.assign(scene.regions().size(), 1);
+  for (const Leaf& leaf : scene.leaves()) {
+    if (leaf.region.valid() && !leaf.holds_nothing && leaf.look != scene.region(leaf.region).look)
+      even_look[leaf.region.index()] = 0;
+  }
+  place_leaves(node);
+}
+
+void CellGround::place_leaves(NodeId node) {
+  leaf_boxes.resize(scene.leaves().size());
+  for (const Node& at : scene.nodes()) {
+    if (at.op == Node::Op::leaf) leaf_boxes[at.first] = box_of_leaf(scene.leaf(LeafId(at.first)), at.box);
+  }
+  is_bounded = scene.node(node).box.is_finite();
   constexpr double side = 0.5;
-  data_.box = {{-side, -side, -side}, {side, side, side}};
-  if (!data_.reaches_beyond && !data_.is_empty) {
-    const CellBox solid = axes_ ? turned_box_of(node) : in_frame(scene_.node(node).box, scene_.frame());
-    const Vector more{beside, beside, beside};
-    data_.box = {solid.lower - more, solid.upper + more};
-  }
+  box = {{-side, -side, -side}, {side, side, side}};
+  if (!is_bounded || scene.node(node).box.is_null()) return;
+  const CellBox solid = axes ? turned_box_of(node) : in_frame(scene.node(node).box, scene.frame());
+  const Vector more{CellBuilder::beside, CellBuilder::beside, CellBuilder::beside};
+  box = {solid.lower - more, solid.upper + more};
 }
 
 // Where the axes are turned, as tight as those of the half-spaces allow that boxes have sides along.
-CellBox CellBuilder::box_of_leaf(const Leaf& leaf, const Box& world) const {
-  const CellBox box = in_frame(world, scene_.frame());
-  if (!axes_) return box;
-  CellBox result = axes_->holding(box);
+CellBox CellGround::box_of_leaf(const Leaf& leaf, const Box& world) const {
+  const CellBox box = in_frame(world, scene.frame());
+  if (!axes) return box;
+  CellBox result = axes->holding(box);
   constexpr double margin = 0x1p-31;
   const auto cut = [&](std::size_t axis, double low, double high) {
     result.lower[axis] = std::fmax(result.lower[axis], low - margin);
     result.upper[axis] = std::fmin(result.upper[axis], high + margin);
   };
-  for (const HalfSpace& half_space : scene_.half_spaces(leaf)) {
-    const LaneSurface& surface = data_.surfaces[half_space.surface.index()];
+  for (const HalfSpace& half_space : scene.half_spaces(leaf)) {
+    const LaneSurface& surface = surfaces[half_space.surface.index()];
     const bool takes_negative = half_space.sense == Sense::negative;
     const LaneSurface::Kind kind = surface.kind;
     if (kind < LaneSurface::Kind::plane) {
@@ -77,7 +92,7 @@ CellBox CellBuilder::box_of_leaf(const Leaf& leaf, const Box& world) const {
     if (!is_round || takes_negative != (surface.c[5] > 0)) continue;
     const double radius = std::sqrt(surface.c[3]);
     Vector center{surface.c[0], surface.c[1], surface.c[2]};
-    if (kind == LaneSurface::Kind::sphere) center = axes_->turned(center);
+    if (kind == LaneSurface::Kind::sphere) center = axes->turned(center);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (is_axis_cylinder(kind) && axis == axis_of(kind)) continue;
       cut(axis, center[axis] - radius, center[axis] + radius);
@@ -87,19 +102,19 @@ CellBox CellBuilder::box_of_leaf(const Leaf& leaf, const Box& world) const {
 }
 
 // The box of a node in turned axes, from those of its leaves. Children come before their parents.
-CellBox CellBuilder::turned_box_of(NodeId node) const {
+CellBox CellGround::turned_box_of(NodeId node) const {
   std::vector<CellBox> boxes(node.index() + 1);
   for (std::uint32_t id = 0; id <= node.index(); ++id) {
-    const Node& at = scene_.node(NodeId(id));
+    const Node& at = scene.node(NodeId(id));
     if (at.box.is_null() || !at.box.is_finite()) continue;  // not asked for, below
     if (at.op == Node::Op::leaf) {
-      boxes[id] = leaf_boxes_[at.first];
+      boxes[id] = leaf_boxes[at.first];
       continue;
     }
-    CellBox box = axes_->holding(in_frame(at.box, scene_.frame()));
-    const auto children = scene_.children(at);
-    const auto bounds = [&](NodeId child) { return scene_.node(child).box.is_finite(); };
-    const auto exists = [&](NodeId child) { return !scene_.node(child).box.is_null(); };
+    CellBox box = axes->holding(in_frame(at.box, scene.frame()));
+    const auto children = scene.children(at);
+    const auto bounds = [&](NodeId child) { return scene.node(child).box.is_finite(); };
+    const auto exists = [&](NodeId child) { return !scene.node(child).box.is_null(); };
     if (at.op == Node::Op::unite && std::all_of(children.begin(), children.end(), bounds)) {
       CellBox all{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
       for (const NodeId child : children) {

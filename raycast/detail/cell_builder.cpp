@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/detail/cell_builder.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +18,10 @@ constexpr int most_hopes = 3;
 constexpr int hopes_of_large = 3;     // so many more where a cell would have no table
 constexpr int hopes_of_crowded = 30;  // and where it would be left to the caster
 constexpr std::size_t most_leaves_tried = 12;
-constexpr std::size_t most_candidates = 24;
+constexpr std::size_t most_candidates = 8;
+// Parts with so many leaves are built side by side, on so many levels of the tree.
+constexpr std::size_t large = 64;
+constexpr int deepest_task = 5;
 constexpr double least_side = 0x1p-24;
 // Cells whose area is less than this share of the least leaf's there are not cut: few rays would notice.
 constexpr double least_share = 0x1p-9;
@@ -64,56 +69,47 @@ double CellBuilder::cost_of_cell(std::size_t surfaces) {
   return surfaces <= Cell::table_slots ? 1.5 + n : 4 + 2 * n + n * n / 8;
 }
 
-CellBuilder::CellBuilder(const Scene& scene, NodeId node) : scene_(scene), whole_(formula_of(scene, node)) {
-  const std::size_t surfaces = scene.surfaces().size();
-  if (scene.node(node).box.is_finite()) axes_ = common_axes(scene);
-  if (axes_) {
-    data_.is_turned = true;
-    data_.axes = axes_->rounded();
-    data_.axis_bounds = turned_bounds;
-  }
-  forms_.reserve(surfaces);
-  data_.surfaces.reserve(surfaces);
-  for (const Surface& surface : scene.surfaces()) {
-    forms_.push_back({surface.local, surface.center});
-    if (axes_) forms_.back() = axes_->turned(forms_.back());
-    data_.surfaces.push_back(make_lane_surface(surface, axes_ ? &forms_.back() : nullptr));
-    const LaneSurface::Kind kind = data_.surfaces.back().kind;
-    if (is_axis_cylinder(kind)) data_.has_cylinders[axis_of(kind)] = true;
-    if (kind < LaneSurface::Kind::plane) data_.has_axis_planes = true;
-    if (!is_plane(kind)) data_.has_quadrics = true;
-  }
+CellBuilder::CellBuilder(const CellGround& ground, std::size_t leaves)
+    : ground_(ground), scene_(ground.scene), most_crowded_splits_(2048 + 8 * leaves) {
+  const std::size_t surfaces = scene_.surfaces().size();
   asked_in_.assign(surfaces, 0);
   answer_.assign(surfaces, Sides::both);
   seen_in_.assign(surfaces, 0);
-  even_look_.assign(scene.regions().size(), 1);
-  for (const Leaf& leaf : scene.leaves()) {
-    if (leaf.region.valid() && !leaf.holds_nothing && leaf.look != scene.region(leaf.region).look)
-      even_look_[leaf.region.index()] = 0;
-  }
-  place_leaves(node);
-}
-
-CellData CellBuilder::build() {
   data_.cells.resize(2);  // the two constants
   data_.cells[1].value = true;
-  if (data_.is_empty || (whole_.is_constant() && !whole_.value)) {
-    data_.is_empty = true;
+}
+
+CellData CellBuilder::build(NodeId node) {
+  const Formula whole = formula_of(scene_, node);
+  data_.box = ground_.box;
+  data_.reaches_beyond = !ground_.is_bounded;
+  data_.is_empty = scene_.node(node).box.is_null() || (whole.is_constant() && !whole.value);
+  if (ground_.axes) {
+    data_.is_turned = true;
+    data_.axes = ground_.axes->rounded();
+    data_.axis_bounds = turned_bounds;
+  }
+  for (const LaneSurface& surface : ground_.surfaces) {
+    if (is_axis_cylinder(surface.kind)) data_.has_cylinders[axis_of(surface.kind)] = true;
+    if (surface.kind < LaneSurface::Kind::plane) data_.has_axis_planes = true;
+    if (!is_plane(surface.kind)) data_.has_quadrics = true;
+  }
+  if (data_.is_empty) {
     data_.reaches_beyond = false;
     return std::move(data_);
   }
   if (data_.reaches_beyond) {
-    build_outside();
+    build_outside(whole);
   } else {
     Formula formula;
-    fold(whole_, data_.box, formula);
+    fold(whole, data_.box, formula);
     build(formula, data_.box, 0, most_hopes);
   }
   return std::move(data_);
 }
 
 // Six splits along the sides of the box: each cuts off an infinite cell, and what is left after the last is the box.
-void CellBuilder::build_outside() {
+void CellBuilder::build_outside(const Formula& whole) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CellBox rest{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
   std::vector<std::pair<std::size_t, Formula>> above_all;  // splits whose other child, the rest, comes first
@@ -125,7 +121,7 @@ void CellBuilder::build_outside() {
     const double at = is_lower ? data_.box.lower[axis] : data_.box.upper[axis];
     const std::size_t node = data_.nodes.size();
     data_.nodes.push_back({at, 0, static_cast<std::uint32_t>(axis)});
-    fold(whole_, is_lower ? below(rest, axis, at) : above(rest, axis, at), formula);
+    fold(whole, is_lower ? below(rest, axis, at) : above(rest, axis, at), formula);
     if (is_lower) {
       add_cell(formula);
       data_.nodes[node].above = static_cast<std::uint32_t>(data_.nodes.size());
@@ -136,7 +132,7 @@ void CellBuilder::build_outside() {
     }
   }
   is_outside_ = false;
-  fold(whole_, rest, formula);
+  fold(whole, rest, formula);
   build(formula, rest, 0, most_hopes);
   is_outside_ = true;
   for (const auto& [node, outer] : above_all) {
@@ -156,7 +152,8 @@ Sides CellBuilder::sides_of(SurfaceId id, const CellBox& box) {
   const std::size_t i = id.index();
   if (asked_in_[i] != question_) {
     asked_in_[i] = question_;
-    answer_[i] = data_.surfaces[i].kind == LaneSurface::Kind::undecided ? Sides::both : sides_in(forms_[i], box);
+    answer_[i] =
+        ground_.surfaces[i].kind == LaneSurface::Kind::undecided ? Sides::both : sides_in(ground_.forms[i], box);
   }
   return answer_[i];
 }
@@ -165,7 +162,8 @@ void CellBuilder::fold(const Formula& from, const CellBox& box, Formula& result)
   ++question_;
   const CellBox wide = inflated(box);
   folder_.fold(
-      from, result, [&](LeafId leaf) { return apart(leaf_boxes_[leaf.index()], wide) ? Known::no : Known::open; },
+      from, result,
+      [&](LeafId leaf) { return apart(ground_.leaf_boxes[leaf.index()], wide) ? Known::no : Known::open; },
       [&](const Term& term) {
         const Sides sides = sides_of(term.surface(), wide);
         if (sides == Sides::both) return Known::open;
@@ -209,7 +207,7 @@ double CellBuilder::build(const Formula& formula, const CellBox& box, int depth,
   gather_leaves(formula, leaves);
   const bool is_too_large = surfaces.size() > Cell::table_slots;
   double least = std::numeric_limits<double>::infinity();
-  for (const LeafId leaf : leaves) least = std::fmin(least, area(leaf_boxes_[leaf.index()]));
+  for (const LeafId leaf : leaves) least = std::fmin(least, area(ground_.leaf_boxes[leaf.index()]));
   if (area(box) < least * (is_too_large ? least_share_of_large : least_share)) return add_cell(formula);
   Split split;
   if (leaves.size() > most_leaves_tried) split = split_by_bins(leaves, box);
@@ -224,22 +222,69 @@ double CellBuilder::build(const Formula& formula, const CellBox& box, int depth,
   const int fewest_hopes = is_crowded ? -hopes_of_crowded : is_too_large ? -hopes_of_large : 0;
   if (!is_promising && hopes <= fewest_hopes) return add_cell(formula);
   // Where surfaces crowd in more than a place, splits could go on for ever.
-  if (!is_promising && is_crowded && crowded_splits_++ > 2048 + 8 * scene_.leaves().size()) return add_cell(formula);
+  if (!is_promising && is_crowded && crowded_splits_++ > most_crowded_splits_) return add_cell(formula);
   const int left = is_promising ? most_hopes : hopes - 1;
 
   const Marks before = marks();
-  data_.nodes.push_back({split.at, 0, static_cast<std::uint32_t>(split.axis)});
-  double cost = cost_of_node;
-  const std::array<CellBox, 2> parts{below(box, split.axis, split.at), above(box, split.axis, split.at)};
-  for (std::size_t part = 0; part < 2; ++part) {
-    if (part == 1) data_.nodes[before.nodes].above = static_cast<std::uint32_t>(data_.nodes.size());
-    Formula folded;
-    fold(formula, parts[part], folded);
-    cost += area(parts[part]) / area(box) * build(folded, parts[part], depth + 1, left);
-  }
-  if (cost < as_one || surfaces.size() > Cell::most_slots) return cost;
+  const double cost = build_parts(formula, box, split, leaves.size(), depth, left);
+  if (cost < as_one || is_crowded) return cost;
   forget_since(before);
   return add_cell(formula);
+}
+
+// The two sides of a split, side by side if they are large.
+double CellBuilder::build_parts(const Formula& formula, const CellBox& box, const Split& split, std::size_t leaves,
+                                int depth, int hopes) {
+  const std::size_t node = data_.nodes.size();
+  data_.nodes.push_back({split.at, 0, static_cast<std::uint32_t>(split.axis)});
+  const std::array<CellBox, 2> parts{below(box, split.axis, split.at), above(box, split.axis, split.at)};
+  const std::array<double, 2> share{area(parts[0]) / area(box), area(parts[1]) / area(box)};
+  Formula folded;
+  if (leaves < large || is_outside_ || depth > deepest_task) {
+    fold(formula, parts[0], folded);
+    double cost = cost_of_node + share[0] * build(folded, parts[0], depth + 1, hopes);
+    data_.nodes[node].above = static_cast<std::uint32_t>(data_.nodes.size());
+    fold(formula, parts[1], folded);
+    cost += share[1] * build(folded, parts[1], depth + 1, hopes);
+    return cost;
+  }
+  std::array<double, 2> costs{};
+  std::array<CellData, 2> built;
+  const auto build_part = [&](std::size_t part) {
+    CellBuilder builder(ground_, leaves);
+    Formula own;
+    builder.fold(formula, parts[part], own);
+    costs[part] = builder.build(own, parts[part], depth + 1, hopes);
+    built[part] = std::move(builder.data_);
+  };
+  tbb::parallel_invoke([&] { build_part(0); }, [&] { build_part(1); });
+  append(std::move(built[0]));
+  data_.nodes[node].above = static_cast<std::uint32_t>(data_.nodes.size());
+  append(std::move(built[1]));
+  return cost_of_node + share[0] * costs[0] + share[1] * costs[1];
+}
+
+// Puts what another builder made behind what is there; both have the two constant cells in front.
+void CellBuilder::append(CellData&& part) {
+  const auto nodes = static_cast<std::uint32_t>(data_.nodes.size());
+  const auto cells = static_cast<std::uint32_t>(data_.cells.size()) - 2;
+  const auto slots = static_cast<std::uint32_t>(data_.slots.size());
+  const auto steps = static_cast<std::uint32_t>(data_.steps.size());
+  for (CellNode& node : part.nodes) {
+    if (!node.is_end()) {
+      node.above += nodes;
+    } else if (node.above >= 2) {
+      node.above += cells;
+    }
+  }
+  for (Cell& cell : part.cells) {
+    cell.first_slot += slots;
+    cell.first_step += steps;
+  }
+  data_.nodes.insert(data_.nodes.end(), part.nodes.begin(), part.nodes.end());
+  data_.cells.insert(data_.cells.end(), part.cells.begin() + 2, part.cells.end());
+  data_.slots.insert(data_.slots.end(), part.slots.begin(), part.slots.end());
+  data_.steps.insert(data_.steps.end(), part.steps.begin(), part.steps.end());
 }
 
 CellBuilder::Split CellBuilder::split_in_half(const CellBox& box) {
@@ -263,8 +308,8 @@ CellBuilder::Split CellBuilder::split_by_bins(std::span<const LeafId> leaves, co
       return static_cast<std::size_t>(std::clamp((x - low) / width, 0.0, static_cast<double>(bins) - 0.5));
     };
     for (const LeafId leaf : leaves) {
-      ++begins[bin(leaf_boxes_[leaf.index()].lower[axis] - beside)];
-      ++ends[bin(leaf_boxes_[leaf.index()].upper[axis] + beside)];
+      ++begins[bin(ground_.leaf_boxes[leaf.index()].lower[axis] - beside)];
+      ++ends[bin(ground_.leaf_boxes[leaf.index()].upper[axis] + beside)];
     }
     std::size_t left = 0;
     std::size_t right = leaves.size();
@@ -293,7 +338,8 @@ void CellBuilder::add_candidates(std::span<const LeafId> leaves, const CellBox& 
     };
     add(0.5 * (low + high));
     for (const LeafId leaf : leaves) {
-      for (const double side : {leaf_boxes_[leaf.index()].lower[axis], leaf_boxes_[leaf.index()].upper[axis]}) {
+      for (const double side :
+           {ground_.leaf_boxes[leaf.index()].lower[axis], ground_.leaf_boxes[leaf.index()].upper[axis]}) {
         add(side - beside);
         add(side + beside);
       }

@@ -12,15 +12,40 @@
 
 namespace csgcast::detail {
 
+/// What is known of a scene before its space is cut: read by all who build its cells.
+struct CellGround {
+  CellGround(const Scene& scene, NodeId node);
+
+  const Scene& scene;
+  std::optional<CellAxes> axes;         ///< if they are not the frame's
+  std::vector<CellForm> forms;          ///< by surface
+  std::vector<LaneSurface> surfaces;    ///< by surface
+  std::vector<CellBox> leaf_boxes;      ///< by leaf
+  std::vector<std::uint8_t> even_look;  ///< by region: all that it is made of, and its faces, look the same
+  CellBox box{};                        ///< of the node; of an unbounded one the frame's cube
+  bool is_bounded = true;
+
+ private:
+  void place_leaves(NodeId node);
+  CellBox box_of_leaf(const Leaf& leaf, const Box& world) const;
+  CellBox turned_box_of(NodeId node) const;
+};
+
 /// Cuts the space of a scene's node into cells, each with the formula of the surfaces that cross it.
 ///
 /// From the top down: a child's formula is its parent's, folded by what interval arithmetic shows to be constant in the
 /// child. Splits minimise the expected cost of a ray (the surface area heuristic); parts that turned out no cheaper
-/// than one cell become one.
+/// than one cell become one. Large parts are built side by side, by a builder each; what comes out does not depend on
+/// how many threads there are.
 class CellBuilder {
  public:
-  CellBuilder(const Scene& scene, NodeId node);
-  CellData build();
+  CellBuilder(const CellGround& ground, std::size_t leaves);
+
+  /// The cells of the node, as if it were cut by one builder, without the surfaces.
+  CellData build(NodeId node);
+
+  /// How far beside a face a split is clear of it: more than what cells and the boxes of leaves are widened by.
+  static constexpr double beside = 0x1p-26;
 
  private:
   struct Split {
@@ -32,14 +57,11 @@ class CellBuilder {
     std::size_t nodes, cells, slots, steps;
   };
 
-  /// How far beside a face a split is clear of it: more than what cells and the boxes of leaves are widened by.
-  static constexpr double beside = 0x1p-26;
-
   static double cost_of_cell(std::size_t surfaces);
-  void place_leaves(NodeId node);
-  CellBox box_of_leaf(const Leaf& leaf, const Box& world) const;
-  CellBox turned_box_of(NodeId node) const;
-  void build_outside();
+  void build_outside(const Formula& whole);
+  double build_parts(const Formula& formula, const CellBox& box, const Split& split, std::size_t leaves, int depth,
+                     int hopes);
+  void append(CellData&& part);
   double build(const Formula& formula, const CellBox& box, int depth, int hopes);
   double add_cell(const Formula& formula);
   void fold(const Formula& from, const CellBox& box, Formula& result);
@@ -60,15 +82,12 @@ class CellBuilder {
   Marks marks() const { return {data_.nodes.size(), data_.cells.size(), data_.slots.size(), data_.steps.size()}; }
   void forget_since(const Marks& marks);
 
+  const CellGround& ground_;
   const Scene& scene_;
-  Formula whole_;
   CellData data_;
-  std::optional<CellAxes> axes_;         // if they are not the frame's
-  std::size_t crowded_splits_ = 0;       // that promised nothing
-  bool is_outside_ = false;              // the cells that are being made are infinite
-  std::vector<CellForm> forms_;          // by surface
-  std::vector<CellBox> leaf_boxes_;      // by leaf
-  std::vector<std::uint8_t> even_look_;  // by region: all that it is made of, and its faces, look the same
+  std::size_t most_crowded_splits_;  // that promise nothing
+  std::size_t crowded_splits_ = 0;
+  bool is_outside_ = false;  // the cells that are being made are infinite
   Folder folder_;
   FormulaValue value_;
   // What is known of the surfaces in the box that is being folded.

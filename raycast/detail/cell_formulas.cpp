@@ -124,8 +124,8 @@ double CellBuilder::add_cell(const Formula& formula) {
   std::vector<SurfaceId> surfaces;
   gather_surfaces(formula, surfaces);
   std::sort(surfaces.begin(), surfaces.end(), [&](SurfaceId a, SurfaceId b) {
-    const auto kind_a = data_.surfaces[a.index()].kind;
-    const auto kind_b = data_.surfaces[b.index()].kind;
+    const auto kind_a = ground_.surfaces[a.index()].kind;
+    const auto kind_b = ground_.surfaces[b.index()].kind;
     return kind_a != kind_b ? kind_a < kind_b : a < b;
   });
   Cell cell;
@@ -137,7 +137,7 @@ double CellBuilder::add_cell(const Formula& formula) {
   cell.is_far = is_outside_;
   cell.is_undecided =
       surfaces.size() > Cell::most_slots || std::any_of(surfaces.begin(), surfaces.end(), [&](SurfaceId id) {
-        const LaneSurface::Kind kind = data_.surfaces[id.index()].kind;
+        const LaneSurface::Kind kind = ground_.surfaces[id.index()].kind;
         return kind == LaneSurface::Kind::undecided || (is_outside_ && kind > LaneSurface::Kind::plane);
       });
   if (!cell.is_undecided) {
@@ -154,7 +154,7 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
   cell.slot_count = static_cast<std::uint8_t>(surfaces.size());
   slot_of_surface_.resize(scene_.surfaces().size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const LaneSurface::Kind kind = data_.surfaces[surfaces[i].index()].kind;
+    const LaneSurface::Kind kind = ground_.surfaces[surfaces[i].index()].kind;
     if (is_plane(kind)) ++cell.plane_count;
     if (kind == LaneSurface::Kind::sphere || is_axis_cylinder(kind)) cell.slack = round_slack;
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
@@ -166,7 +166,7 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
 // holds the place: one of the same region if no other region has a part in the cell.
 LookId CellBuilder::face_look(const Leaf& leaf, bool one_region) const {
   if (!leaf.shows_cut) return leaf.look;
-  const bool is_even = one_region && leaf.region.valid() && even_look_[leaf.region.index()] != 0;
+  const bool is_even = one_region && leaf.region.valid() && ground_.even_look[leaf.region.index()] != 0;
   return is_even ? scene_.region(leaf.region).look : LookId();
 }
 

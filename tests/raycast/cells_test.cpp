@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/cells.h"
 
+#include <tbb/task_arena.h>
+
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "csg/primitives.h"
 #include "csg/transform.h"
+#include "raycast/detail/cell_data.h"
 #include "raycast/packet_caster.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
@@ -170,4 +173,30 @@ TEST_CASE("scenes of many directions have no cells that lanes cannot take") {
   for (int i = 0; i < 4; ++i) plates.push_back(transformed(plate(), rotation(10 + 20 * i, {1, 0.5 * i, 2})));
   const Scene scene = compile(unite(plates));
   CHECK(Cells(scene).counts().undecided < 10);
+}
+
+TEST_CASE("cells do not depend on the number of threads that build them") {
+  RandomSolids random(3);
+  std::vector<Solid> balls;
+  for (int i = 0; i < 6000; ++i)
+    balls.push_back(transformed(sphere(random.number(0.01, 0.06)), translation(as_vector(random.point(1)))));
+  const Scene scene = compile(unite(std::move(balls)));
+  const auto built_by = [&](int threads) {
+    tbb::task_arena arena(threads);
+    return arena.execute([&] { return Cells(scene); });
+  };
+  const Cells one = built_by(1), four = built_by(4);
+  const detail::CellData &a = one.data(), &b = four.data();
+  REQUIRE(a.nodes.size() == b.nodes.size());
+  for (std::size_t i = 0; i < a.nodes.size(); ++i) {
+    REQUIRE(a.nodes[i].split == b.nodes[i].split);
+    REQUIRE(a.nodes[i].above == b.nodes[i].above);
+  }
+  REQUIRE(a.cells.size() == b.cells.size());
+  for (std::size_t i = 0; i < a.cells.size(); ++i) {
+    REQUIRE(a.cells[i].table == b.cells[i].table);
+    REQUIRE(a.cells[i].first_slot == b.cells[i].first_slot);
+  }
+  REQUIRE(a.slots.size() == b.slots.size());
+  for (std::size_t i = 0; i < a.slots.size(); ++i) REQUIRE(a.slots[i].owner() == b.slots[i].owner());
 }
