@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -24,7 +25,6 @@
 namespace csgcast {
 namespace {
 
-constexpr int tile_side = 32;
 constexpr int longest_side = 65536;
 constexpr std::int64_t most_pixels = std::int64_t{1} << 27;
 constexpr int most_samples = 1024;
@@ -44,6 +44,10 @@ void check(const RenderOptions& options) {
     refuse(std::to_string(options.samples) + " samples a pixel", "1 to 1024 are possible",
            "give a number in that range");
   }
+  if (options.sampling == Sampling::adaptive && options.mode != Mode::shaded) {
+    throw Error(ErrorCode::usage, {}, "adaptive samples in a mode other than shaded",
+                "pixels are compared by their light", "take regular ones");
+  }
 }
 
 // Samples a pixel along each axis.
@@ -56,9 +60,10 @@ int grid_of(const RenderOptions& options) {
 
 std::vector<detail::Tile> tiles_of(int width, int height) {
   std::vector<detail::Tile> tiles;
-  for (int y = 0; y < height; y += tile_side) {
-    for (int x = 0; x < width; x += tile_side) {
-      tiles.push_back({x, y, std::min(x + tile_side, width), std::min(y + tile_side, height)});
+  constexpr int side = detail::tile_side;
+  for (int y = 0; y < height; y += side) {
+    for (int x = 0; x < width; x += side) {
+      tiles.push_back({x, y, std::min(x + side, width), std::min(y + side, height)});
     }
   }
   return tiles;
@@ -93,6 +98,80 @@ class Progress {
   std::mutex mutex_;
 };
 
+// The threads of a picture, each with a renderer of its own.
+class Workers {
+ public:
+  Workers(const detail::Job& job, const RenderOptions& options)
+      : tiles_(tiles_of(options.width, options.height)),
+        renderers_([&job] { return detail::TileRenderer(job); }),
+        arena_(threads_of(options, tiles_.size())) {
+    // More threads than cores need leave; fewer are the arena's own business.
+    const int threads = threads_of(options, tiles_.size());
+    if (threads > tbb::info::default_concurrency()) {
+      more_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    }
+  }
+
+  std::size_t tiles() const { return tiles_.size(); }
+
+  // Calls work(renderer, tile) for each tile.
+  template <class Work>
+  void each_tile(Work&& work) {
+    arena_.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, tiles_.size(), 1),
+          [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) work(renderers_.local(), tiles_[i]);
+          },
+          tbb::simple_partitioner());
+    });
+  }
+
+  RenderReport report() const {
+    RenderReport report;
+    for (const detail::TileRenderer& renderer : renderers_) report += renderer.report();
+    return report;
+  }
+
+ private:
+  std::vector<detail::Tile> tiles_;
+  tbb::enumerable_thread_specific<detail::TileRenderer> renderers_;
+  std::optional<tbb::global_control> more_;
+  tbb::task_arena arena_;
+};
+
+// All pixels with one sample, then those again that this is not enough for. Each step ends before the next begins.
+void fill_adaptively(Workers& workers, Film& film, const std::function<void(double)>& tell) {
+  using detail::Tile;
+  using detail::TileRenderer;
+  Progress progress(tell, 2 * workers.tiles());
+  workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
+    renderer.render(tile, film);
+    progress.add_one();
+  });
+  detail::Refinement refinement(film.width(), film.height());
+  workers.each_tile([&](TileRenderer&, const Tile& tile) { refinement.choose_contrasts(film, tile); });
+  workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
+    renderer.refine(tile, refinement, film);
+    progress.add_one();
+  });
+  // What a tile chose in another one that was done by then.
+  std::atomic<bool> again = true;
+  while (again.exchange(false)) {
+    workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
+      if (renderer.refine(tile, refinement, film)) again = true;
+    });
+  }
+}
+
+void fill(Workers& workers, Film& film, const std::function<void(double)>& tell) {
+  Progress progress(tell, workers.tiles());
+  workers.each_tile([&](detail::TileRenderer& renderer, const detail::Tile& tile) {
+    renderer.render(tile, film);
+    progress.add_one();
+  });
+}
+
 }  // namespace
 
 FilmContent content(Mode mode) {
@@ -122,34 +201,23 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   if (options.engine == Engine::packets && suits_packets) cells.emplace(scene);
   const auto start = Clock::now();
   const double cpu_start = cpu_seconds();
-  const detail::Job job{scene, view, camera, options.mode, grid_of(options), cells ? &*cells : nullptr};
+  const int grid = grid_of(options);
+  const Sampling sampling = grid > 1 ? options.sampling : Sampling::regular;
+  const detail::Job job{scene, view, camera, options.mode, grid, sampling, cells ? &*cells : nullptr};
   Film film(options.width, options.height, content(options.mode));
-  const std::vector<detail::Tile> tiles = tiles_of(options.width, options.height);
-  Progress progress(options.progress, tiles.size());
-  tbb::enumerable_thread_specific<detail::TileRenderer> renderers([&] { return detail::TileRenderer(job); });
-  const int threads = threads_of(options, tiles.size());
-  // More threads than cores need leave; fewer are the arena's own business.
-  std::optional<tbb::global_control> more;
-  if (threads > tbb::info::default_concurrency()) {
-    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  }
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, tiles.size(), 1),
-        [&](const auto& range) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            renderers.local().render(tiles[i], film);
-            progress.add_one();
-          }
-        },
-        tbb::simple_partitioner());
-  });
+  Workers workers(job, options);
+  const bool adaptive = sampling == Sampling::adaptive;
+  adaptive ? fill_adaptively(workers, film, options.progress) : fill(workers, film, options.progress);
   if (report != nullptr) {
-    for (const detail::TileRenderer& renderer : renderers) *report += renderer.report();
-    report->cells_seconds += std::chrono::duration<double>(start - before_cells).count();
-    report->cpu_seconds += cpu_seconds() - cpu_start;
-    report->seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    RenderReport cost = workers.report();
+    const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(options.height);
+    if (adaptive) {
+      cost.skipped.primary_like_neighbours = (pixels - cost.refined_pixels) * static_cast<unsigned>(grid * grid - 1);
+    }
+    cost.cells_seconds = std::chrono::duration<double>(start - before_cells).count();
+    cost.cpu_seconds = cpu_seconds() - cpu_start;
+    cost.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    *report += cost;
   }
   return film;
 }
