@@ -27,6 +27,7 @@ struct RenderCommandOptions {
   RenderOptions render;
   std::string size = "800x600";
   std::string samples = "1";
+  bool adaptive = false;
   std::string camera;
   std::string trace_pixel;
   std::string output;
@@ -64,11 +65,22 @@ void check_files(const RenderCommandOptions& options) {
   check_distinct(std::array{NamedFile{"the scene", options.scene.path}}, outputs);
 }
 
+Sampling adaptive_sampling(const RenderOptions& options) {
+  if (options.mode != Mode::shaded) {
+    throw UsageError("--adaptive needs --mode shaded (pixels are compared by their light)");
+  }
+  if (options.samples == 1) {
+    throw UsageError("--adaptive needs --samples of more than 1 (it takes fewer where pixels look alike)");
+  }
+  return Sampling::adaptive;
+}
+
 Job check(const RenderCommandOptions& options) {
   Job job{options.render, {}, {}};
   job.render.threads = thread_count(options.scene);
   std::tie(job.render.width, job.render.height) = parse_pair("--size", options.size, 'x', 1, largest_side);
   job.render.samples = parse_count("--samples", options.samples, 1, most_samples);
+  if (options.adaptive) job.render.sampling = adaptive_sampling(job.render);
   check_film_memory(job.render);
   if (!options.camera.empty()) job.camera = camera_from_numbers(parse_numbers("--camera", options.camera));
   if (!options.trace_pixel.empty()) {
@@ -141,6 +153,7 @@ Command render_command(CLI::App& program) {
   line->add_option("--samples", options->samples, "Rays a pixel, rounded up to a square number")
       ->type_name("N")
       ->capture_default_str();
+  line->add_flag("--adaptive", options->adaptive, "Take all samples only in pixels that do not look like those around");
   line->add_option("--camera", options->camera,
                    "Eye and the point looked at; or seven numbers: OpenSCAD's translation, rotation and distance")
       ->type_name("ex,ey,ez,ax,ay,az");

@@ -13,6 +13,7 @@ std::string render_stats(const RenderOptions& options, const RenderReport& repor
   json.member("threads", std::uint64_t(options.threads));
   json.key("rays").begin_object().member("primary", report.rays.primary).member("shadow", report.rays.shadow);
   json.member("reflection", report.rays.reflection).member("transmission", report.rays.transmission).end_object();
+  json.member("refined_pixels", report.refined_pixels);
   json.member("total_reflections", report.total_reflections);
   json.key("packets").begin_object().member("rays", report.packets.rays).member("packets", report.packets.packets);
   json.member("nodes", report.packets.nodes).member("cells", report.packets.cells);
@@ -24,6 +25,7 @@ std::string render_stats(const RenderOptions& options, const RenderReport& repor
   json.member("exact_calls", report.casts.exact_calls).member("rays_flagged", report.casts.rays_flagged);
   json.key("skipped").begin_object();
   json.member("primary_beyond_bounds", report.skipped.primary_beyond_bounds);
+  json.member("primary_like_neighbours", report.skipped.primary_like_neighbours);
   json.member("shadow_facing_away", report.skipped.shadow_facing_away);
   json.member("shadow_without_effect", report.skipped.shadow_without_effect);
   json.member("reflection_below_cutoff", report.skipped.reflection_below_cutoff);

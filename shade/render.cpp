@@ -10,11 +10,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "csg/error.h"
@@ -24,7 +26,6 @@
 namespace csgcast {
 namespace {
 
-constexpr int tile_side = 32;
 constexpr int longest_side = 65536;
 constexpr std::int64_t most_pixels = std::int64_t{1} << 27;
 constexpr int most_samples = 1024;
@@ -44,6 +45,10 @@ void check(const RenderOptions& options) {
     refuse(std::to_string(options.samples) + " samples a pixel", "1 to 1024 are possible",
            "give a number in that range");
   }
+  if (options.sampling == Sampling::adaptive && options.mode != Mode::shaded) {
+    throw Error(ErrorCode::usage, {}, "adaptive samples in a mode other than shaded",
+                "pixels are compared by their light", "take regular ones");
+  }
 }
 
 // Samples a pixel along each axis.
@@ -56,9 +61,10 @@ int grid_of(const RenderOptions& options) {
 
 std::vector<detail::Tile> tiles_of(int width, int height) {
   std::vector<detail::Tile> tiles;
-  for (int y = 0; y < height; y += tile_side) {
-    for (int x = 0; x < width; x += tile_side) {
-      tiles.push_back({x, y, std::min(x + tile_side, width), std::min(y + tile_side, height)});
+  constexpr int side = detail::tile_side;
+  for (int y = 0; y < height; y += side) {
+    for (int x = 0; x < width; x += side) {
+      tiles.push_back({x, y, std::min(x + side, width), std::min(y + side, height)});
     }
   }
   return tiles;
@@ -93,6 +99,101 @@ class Progress {
   std::mutex mutex_;
 };
 
+// The threads of a picture, and its tiles.
+class Threads {
+ public:
+  explicit Threads(const RenderOptions& options)
+      : tiles_(tiles_of(options.width, options.height)), arena_(threads_of(options, tiles_.size())) {
+    // More threads than cores need leave; fewer are the arena's own business.
+    const int threads = threads_of(options, tiles_.size());
+    if (threads > tbb::info::default_concurrency()) {
+      more_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    }
+  }
+
+  std::span<const detail::Tile> tiles() const { return tiles_; }
+
+  template <class Work>
+  void run(Work&& work) {
+    arena_.execute(work);
+  }
+
+  // Calls work(tile) for each tile.
+  template <class Work>
+  void each_tile(Work&& work) {
+    run([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, tiles_.size(), 1),
+          [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) work(tiles_[i]);
+          },
+          tbb::simple_partitioner());
+    });
+  }
+
+ private:
+  std::vector<detail::Tile> tiles_;
+  std::optional<tbb::global_control> more_;
+  tbb::task_arena arena_;
+};
+
+// These threads, each with a renderer of its own.
+class Workers {
+ public:
+  Workers(Threads& threads, const detail::Job& job)
+      : threads_(threads), renderers_([&job] { return detail::TileRenderer(job); }) {}
+
+  std::size_t tiles() const { return threads_.tiles().size(); }
+
+  // Calls work(renderer, tile) for each tile.
+  template <class Work>
+  void each_tile(Work&& work) {
+    threads_.each_tile([&](const detail::Tile& tile) { work(renderers_.local(), tile); });
+  }
+
+  RenderReport report() const {
+    RenderReport report;
+    for (const detail::TileRenderer& renderer : renderers_) report += renderer.report();
+    return report;
+  }
+
+ private:
+  Threads& threads_;
+  tbb::enumerable_thread_specific<detail::TileRenderer> renderers_;
+};
+
+// All pixels with one sample, then those again that this is not enough for. Each step ends before the next begins.
+void fill_adaptively(Workers& workers, Film& film, const std::function<void(double)>& tell) {
+  using detail::Tile;
+  using detail::TileRenderer;
+  Progress progress(tell, 2 * workers.tiles());
+  workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
+    renderer.render(tile, film);
+    progress.add_one();
+  });
+  detail::Refinement refinement(film.width(), film.height());
+  workers.each_tile([&](TileRenderer&, const Tile& tile) { refinement.choose_contrasts(film, tile); });
+  workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
+    renderer.refine(tile, refinement, film);
+    progress.add_one();
+  });
+  // What a tile chose in another one that was done by then.
+  std::atomic<bool> again = true;
+  while (again.exchange(false)) {
+    workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
+      if (renderer.refine(tile, refinement, film)) again = true;
+    });
+  }
+}
+
+void fill(Workers& workers, Film& film, const std::function<void(double)>& tell) {
+  Progress progress(tell, workers.tiles());
+  workers.each_tile([&](detail::TileRenderer& renderer, const detail::Tile& tile) {
+    renderer.render(tile, film);
+    progress.add_one();
+  });
+}
+
 }  // namespace
 
 FilmContent content(Mode mode) {
@@ -116,40 +217,30 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   using Clock = std::chrono::steady_clock;
   check(options);
   const Camera camera(view.camera, options.width, options.height);
-  const std::vector<detail::Tile> tiles = tiles_of(options.width, options.height);
-  const int threads = threads_of(options, tiles.size());
-  // More threads than cores need leave; fewer are the arena's own business.
-  std::optional<tbb::global_control> more;
-  if (threads > tbb::info::default_concurrency()) {
-    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  }
-  tbb::task_arena arena(threads);
+  Threads threads(options);
   const auto before_cells = Clock::now();
   std::optional<Cells> cells;
   const bool suits_packets = options.mode == Mode::shaded && detail::PacketTracer::suits(scene, view, camera);
-  if (options.engine == Engine::packets && suits_packets) arena.execute([&] { cells.emplace(scene); });
+  if (options.engine == Engine::packets && suits_packets) threads.run([&] { cells.emplace(scene); });
   const auto start = Clock::now();
   const double cpu_start = cpu_seconds();
-  const detail::Job job{scene, view, camera, options.mode, grid_of(options), cells ? &*cells : nullptr};
+  const int grid = grid_of(options);
+  const Sampling sampling = grid > 1 ? options.sampling : Sampling::regular;
+  const detail::Job job{scene, view, camera, options.mode, grid, sampling, cells ? &*cells : nullptr};
   Film film(options.width, options.height, content(options.mode));
-  Progress progress(options.progress, tiles.size());
-  tbb::enumerable_thread_specific<detail::TileRenderer> renderers([&] { return detail::TileRenderer(job); });
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, tiles.size(), 1),
-        [&](const auto& range) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            renderers.local().render(tiles[i], film);
-            progress.add_one();
-          }
-        },
-        tbb::simple_partitioner());
-  });
+  Workers workers(threads, job);
+  const bool adaptive = sampling == Sampling::adaptive;
+  adaptive ? fill_adaptively(workers, film, options.progress) : fill(workers, film, options.progress);
   if (report != nullptr) {
-    for (const detail::TileRenderer& renderer : renderers) *report += renderer.report();
-    report->cells_seconds += std::chrono::duration<double>(start - before_cells).count();
-    report->cpu_seconds += cpu_seconds() - cpu_start;
-    report->seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    RenderReport cost = workers.report();
+    const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(options.height);
+    if (adaptive) {
+      cost.skipped.primary_like_neighbours = (pixels - cost.refined_pixels) * static_cast<unsigned>(grid * grid - 1);
+    }
+    cost.cells_seconds = std::chrono::duration<double>(start - before_cells).count();
+    cost.cpu_seconds = cpu_seconds() - cpu_start;
+    cost.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    *report += cost;
   }
   return film;
 }

@@ -32,11 +32,19 @@ enum class Engine : std::uint8_t {
   scalar,   ///< one by one: the definition
 };
 
+/// Which pixels of a shaded picture get all their samples.
+enum class Sampling : std::uint8_t {
+  regular,   ///< all
+  adaptive,  ///< those that do not look like the pixels around them, the same bit for bit as with regular sampling. The
+             ///< others get one sample, at their centre: docs/shading.md
+};
+
 struct RenderOptions {
   int width = 800;
   int height = 600;
   int samples = 1;  ///< rays a pixel, rounded up to a square number k²: a regular k x k grid, averaged; depth, normal
                     ///< and id always take 1
+  Sampling sampling = Sampling::regular;
   Mode mode = Mode::shaded;
   Engine engine = Engine::packets;
   int threads = 0;  ///< 0: all cores
@@ -47,7 +55,7 @@ struct RenderOptions {
 
 /// A picture, the same bit for bit on any number of threads. Throws Error(limit) for a size or number of samples that
 /// is not positive or too large (65,536 pixels a side, 2^27 in all, 1,024 samples), Error(bad_value) for a view that no
-/// camera has. Adds to *report if it is not null.
+/// camera has, Error(usage) for adaptive samples in a mode other than shaded. Adds to *report if it is not null.
 Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report = nullptr);
 
 /// The tree of rays of one pixel's centre as indented text, a line for each ray: kind, weight, t and place of the hit,

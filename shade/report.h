@@ -18,6 +18,7 @@ struct RayCounts {
 /// Rays that were not traced, by reason.
 struct SkipCounts {
   std::uint64_t primary_beyond_bounds = 0;    ///< the pixel is outside the outline of the solid's bounds
+  std::uint64_t primary_like_neighbours = 0;  ///< the pixel looks like those around it (Sampling::adaptive)
   std::uint64_t shadow_facing_away = 0;       ///< the light is behind the surface
   std::uint64_t shadow_without_effect = 0;    ///< the light would add nothing even where nothing blocks it
   std::uint64_t reflection_below_cutoff = 0;  ///< min_contribution is more than what the ray could bring
@@ -29,6 +30,7 @@ struct SkipCounts {
 struct RenderReport {
   RayCounts rays;
   SkipCounts skipped;
+  std::uint64_t refined_pixels = 0;  ///< those that got all their samples after a first one (Sampling::adaptive)
   std::uint64_t total_reflections =
       0;                     ///< transmission rays that total internal reflection turned into reflection rays
   CasterCounts casts;        ///< of rays one by one

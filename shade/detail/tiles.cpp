@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shade/detail/contrast.h"
 #include "shade/detail/edges.h"
 
 namespace csgcast::detail {
@@ -18,6 +19,32 @@ void each_pixel(const Tile& tile, F&& f) {
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) f(x, y);
   }
+}
+
+// How many samples are traced at once where pixels are refined: enough to fill packets.
+constexpr std::size_t samples_at_once = 2048;
+
+// Whether a channel of the light contrasts somewhere among `count` samples.
+bool varies(const Rgb* first, std::size_t count, std::size_t stride) {
+  Rgb least = *first;
+  Rgb greatest = *first;
+  for (std::size_t i = 1; i < count; ++i) {
+    const Rgb c = first[i * stride];
+    least = {std::min(least.r, c.r), std::min(least.g, c.g), std::min(least.b, c.b)};
+    greatest = {std::max(greatest.r, c.r), std::max(greatest.g, c.g), std::max(greatest.b, c.b)};
+  }
+  const auto contrast = [](double low, double high) { return perceived(high) - perceived(low) > least_contrast; };
+  return contrast(least.r, greatest.r) || contrast(least.g, greatest.g) || contrast(least.b, greatest.b);
+}
+
+// What varies along a side of a pixel, as where an edge crosses it, goes on beyond that side.
+void choose_neighbours(Pixel pixel, const Rgb* colors, int k, Refinement& refinement) {
+  const auto count = static_cast<std::size_t>(k);
+  const std::size_t end = count - 1;
+  if (varies(colors, count, 1)) refinement.choose({pixel.x, pixel.y - 1});
+  if (varies(colors + count * end, count, 1)) refinement.choose({pixel.x, pixel.y + 1});
+  if (varies(colors, count, count)) refinement.choose({pixel.x - 1, pixel.y});
+  if (varies(colors + end, count, count)) refinement.choose({pixel.x + 1, pixel.y});
 }
 
 }  // namespace
@@ -35,6 +62,7 @@ RenderReport TileRenderer::report() const {
   if (packets_) result += packets_->report();
   result.skipped.primary_beyond_bounds += beyond_bounds_;
   result.rays.primary += primary_;
+  result.refined_pixels += refined_;
   result.casts += caster_.counts();
   return result;
 }
@@ -42,7 +70,7 @@ RenderReport TileRenderer::report() const {
 void TileRenderer::render(const Tile& tile, Film& film) {
   switch (job_.mode) {
     case Mode::shaded:
-      return shade(tile, film);
+      return shade(tile, job_.sampling == Sampling::adaptive ? 1 : job_.grid, film);
     case Mode::edges:
       return draw_edges(tile, film);
     case Mode::xray:
@@ -54,47 +82,27 @@ void TileRenderer::render(const Tile& tile, Film& film) {
   }
 }
 
-Ray TileRenderer::sample_ray(int column, int row) const {
-  return job_.camera.ray((column + 0.5) / job_.grid, (row + 0.5) / job_.grid);
+Ray TileRenderer::sample_ray(int column, int row, int k) const {
+  return job_.camera.ray((column + 0.5) / k, (row + 0.5) / k);
 }
 
-void TileRenderer::shade(const Tile& tile, Film& film) {
-  if (packets_) return shade_in_packets(tile, film);
-  const int k = job_.grid;
+void TileRenderer::shade(const Tile& tile, int k, Film& film) {
+  if (packets_) return shade_in_packets(tile, k, film);
   each_pixel(tile, [&](int x, int y) {
     Rgb sum;
-    for (int i = 0; i < k * k; ++i) sum = sum + tracer_.trace(sample_ray(k * x + i % k, k * y + i / k));
+    for (int i = 0; i < k * k; ++i) sum = sum + tracer_.trace(sample_ray(k * x + i % k, k * y + i / k, k));
     film.set(x, y, (1.0 / (k * k)) * sum);
   });
 }
 
-// The samples of a strip in columns [first, last), four by two at a time, so that those of a packet are neighbours.
-void TileRenderer::place_samples(const Tile& strip, int first, int last) {
-  const int k = job_.grid;
-  const int columns = k * (strip.x1 - strip.x0);
-  const int rows = k * (strip.y1 - strip.y0);
-  const auto room = static_cast<std::size_t>(columns * rows);
-  sample_x_.resize(room);
-  sample_y_.resize(room);
-  sample_place_.resize(room);
-  std::size_t count = 0;
-  for (int row = 0; row < rows; row += 2) {
-    for (int column = first; column < last; column += 4) {
-      for (int y = row; y < std::min(row + 2, rows); ++y) {
-        for (int x = column; x < std::min(column + 4, last); ++x) {
-          sample_x_[count] = (k * strip.x0 + x + 0.5) / k;
-          sample_y_[count] = (k * strip.y0 + y + 0.5) / k;
-          sample_place_[count++] = static_cast<std::uint32_t>(y * columns + x);
-        }
-      }
-    }
-  }
-  sample_x_.resize(count);
-  sample_y_.resize(count);
+// In packets. Their colours go where they belong.
+void TileRenderer::trace_samples() {
+  traced_.resize(samples_.x.size());
+  packets_->trace(samples_.x, samples_.y, traced_);
+  for (std::size_t i = 0; i < traced_.size(); ++i) colors_[samples_.place[i]] = traced_[i];
 }
 
-void TileRenderer::shade_in_packets(const Tile& tile, Film& film) {
-  const int k = job_.grid;
+void TileRenderer::shade_in_packets(const Tile& tile, int k, Film& film) {
   const int height = std::max(8 / k, 1);
   const double share = 1.0 / (k * k);
   Rgb empty;  // a pixel of background: the average, rounded like any other
@@ -113,11 +121,13 @@ void TileRenderer::shade_in_packets(const Tile& tile, Film& film) {
       each_pixel(strip, [&](int x, int y) { film.set(x, y, empty); });
       continue;
     }
-    place_samples(strip, first, last);
-    traced_.resize(sample_x_.size());
-    packets_->trace(sample_x_, sample_y_, traced_);
+    const int left = k * strip.x0;
+    const int top = k * strip.y0;
+    samples_.clear();
+    append({left + first, top, left + last, top + rows}, k, samples_,
+           [&](int x, int y) { return (y - top) * columns + (x - left); });
     colors_.assign(static_cast<std::size_t>(columns * rows), job_.view.background);
-    for (std::size_t i = 0; i < traced_.size(); ++i) colors_[sample_place_[i]] = traced_[i];
+    trace_samples();
     if (k == 1) {
       const Rgb* color = colors_.data();
       each_pixel(strip, [&](int x, int y) { film.set(x, y, *color++); });
@@ -134,12 +144,69 @@ void TileRenderer::shade_in_packets(const Tile& tile, Film& film) {
   }
 }
 
+bool TileRenderer::refine(const Tile& tile, Refinement& refinement, Film& film) {
+  const int k = job_.grid;
+  const double share = 1.0 / (k * k);
+  const auto samples = static_cast<std::size_t>(k * k);
+  const std::size_t at_once = std::max<std::size_t>(samples_at_once / samples, 1);
+  bool any = false;
+  while (refinement.take(tile, pixels_)) {
+    any = true;
+    refined_ += pixels_.size();
+    for (std::size_t first = 0; first < pixels_.size(); first += at_once) {
+      const std::span<const Pixel> pixels =
+          std::span(pixels_).subspan(first, std::min(at_once, pixels_.size() - first));
+      trace_all_samples(pixels);
+      const Rgb* colors = colors_.data();
+      for (const Pixel pixel : pixels) {
+        Rgb sum;
+        for (std::size_t i = 0; i < samples; ++i) sum = sum + colors[i];
+        film.set(pixel.x, pixel.y, share * sum);
+        choose_neighbours(pixel, colors, k, refinement);
+        colors += samples;
+      }
+    }
+  }
+  return any;
+}
+
+// Leaves k x k colours for each pixel, row by row.
+void TileRenderer::trace_all_samples(std::span<const Pixel> pixels) {
+  const int k = job_.grid;
+  colors_.resize(pixels.size() * static_cast<std::size_t>(k * k));
+  if (packets_) {
+    place_all_samples(pixels);
+    trace_samples();
+    return;
+  }
+  Rgb* color = colors_.data();
+  for (const Pixel pixel : pixels)
+    for (int i = 0; i < k * k; ++i) *color++ = tracer_.trace(sample_ray(k * pixel.x + i % k, k * pixel.y + i / k, k));
+}
+
+// Pixels next to each other in a row make one rectangle of samples.
+void TileRenderer::place_all_samples(std::span<const Pixel> pixels) {
+  const int k = job_.grid;
+  samples_.clear();
+  for (std::size_t first = 0, last = 0; first < pixels.size(); first = last) {
+    const int y = pixels[first].y;
+    for (last = first + 1; last < pixels.size() && pixels[last].y == y && pixels[last].x == pixels[last - 1].x + 1;)
+      ++last;
+    const int left = k * pixels[first].x;
+    const Tile rectangle{left, k * y, left + k * static_cast<int>(last - first), k * y + k};
+    append(rectangle, k, samples_, [&](int column, int row) {
+      const int pixel = static_cast<int>(first) + (column - left) / k;
+      return (pixel * k + row - k * y) * k + (column - left) % k;
+    });
+  }
+}
+
 void TileRenderer::measure(const Tile& tile, Film& film) {
   const int k = job_.grid;
   each_pixel(tile, [&](int x, int y) {
     double sum = 0;
     for (int i = 0; i < k * k; ++i) {
-      sum += length_inside(caster_, sample_ray(k * x + i % k, k * y + i / k), intervals_);
+      sum += length_inside(caster_, sample_ray(k * x + i % k, k * y + i / k, k), intervals_);
       ++primary_;
     }
     film.value(x, y) = static_cast<float>(sum / (k * k));
@@ -171,7 +238,7 @@ void TileRenderer::draw_edges(const Tile& tile, Film& film) {
   sights_.clear();
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      sights_.push_back(look_along(caster_, sample_ray(k * tile.x0 + column, k * tile.y0 + row)));
+      sights_.push_back(look_along(caster_, sample_ray(k * tile.x0 + column, k * tile.y0 + row, k)));
     }
   }
   primary_ += sights_.size();

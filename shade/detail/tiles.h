@@ -2,23 +2,22 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "raycast/caster.h"
 #include "shade/camera.h"
 #include "shade/detail/outline.h"
 #include "shade/detail/packet_tracer.h"
+#include "shade/detail/refinement.h"
+#include "shade/detail/samples.h"
 #include "shade/detail/sight.h"
+#include "shade/detail/tile.h"
 #include "shade/film.h"
 #include "shade/render.h"
 #include "shade/tracer.h"
 
 namespace csgcast::detail {
-
-/// A rectangle of pixels [x0, x1) x [y0, y1).
-struct Tile {
-  int x0, y0, x1, y1;
-};
 
 /// What all threads share, read-only.
 struct Job {
@@ -26,7 +25,8 @@ struct Job {
   const View& view;
   const Camera& camera;
   Mode mode;
-  int grid;            ///< k of k x k samples a pixel
+  int grid;  ///< k of k x k samples a pixel
+  Sampling sampling;
   const Cells* cells;  ///< null: rays go one by one
 };
 
@@ -37,19 +37,26 @@ class TileRenderer {
   TileRenderer(const TileRenderer&) = delete;
   TileRenderer& operator=(const TileRenderer&) = delete;
 
-  /// Fills the tile's pixels. What they get depends on the job alone.
+  /// Fills the tile's pixels, if samples are adaptive with what their centres see. What they get depends on the job
+  /// alone.
   void render(const Tile& tile, Film& film);
+
+  /// Gives all their samples to the tile's pixels that are chosen, and chooses those that what varies in them reaches
+  /// into; these get theirs, too, if they are in the tile. Whether there were any.
+  bool refine(const Tile& tile, Refinement& refinement, Film& film);
 
   RenderReport report() const;
 
  private:
-  void shade(const Tile& tile, Film& film);
-  void shade_in_packets(const Tile& tile, Film& film);
-  void place_samples(const Tile& strip, int first, int last);
+  void shade(const Tile& tile, int k, Film& film);
+  void shade_in_packets(const Tile& tile, int k, Film& film);
+  void trace_samples();
+  void trace_all_samples(std::span<const Pixel> pixels);
+  void place_all_samples(std::span<const Pixel> pixels);
   void draw_edges(const Tile& tile, Film& film);
   void measure(const Tile& tile, Film& film);
   void show_sights(const Tile& tile, Film& film);
-  Ray sample_ray(int column, int row) const;  ///< columns and rows of samples: grid times those of pixels
+  Ray sample_ray(int column, int row, int k) const;  ///< columns and rows of samples: k times those of pixels
   Rgb edge_pixel(std::size_t first, std::size_t stride);
   bool on_edge(const Sight& here, const Sight& other) const;
 
@@ -60,12 +67,13 @@ class TileRenderer {
   Outline outline_;  // of the solid; beyond it packets see the background
   std::uint64_t beyond_bounds_ = 0;
   std::uint64_t primary_ = 0;
+  std::uint64_t refined_ = 0;
   IntervalList intervals_;
   std::vector<Sight> sights_;
-  // By sample of a strip of pixels.
-  std::vector<double> sample_x_, sample_y_;
-  std::vector<std::uint32_t> sample_place_;  // row by row, where its colour belongs
-  std::vector<Rgb> traced_, colors_;
+  std::vector<Pixel> pixels_;
+  Samples samples_;
+  std::vector<Rgb> traced_;  // by sample
+  std::vector<Rgb> colors_;  // by place
 };
 
 }  // namespace csgcast::detail

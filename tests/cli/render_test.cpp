@@ -79,6 +79,42 @@ TEST_CASE("the option --stats counts rays by kind and times each stage") {
   }
 }
 
+TEST_CASE(
+    "the option --adaptive takes all samples only where pixels do not look alike, and --stats counts the others") {
+  const SceneFolder folder;
+  std::vector<std::string> regular{"render", "scene.csg", "-o", "a.png", "--size", "60x60", "--samples", "16"};
+  CHECK(run(folder, regular).exit_code == 0);
+  std::vector<std::string> adaptive = regular;
+  adaptive[3] = "b.png";
+  adaptive.insert(adaptive.end(), {"--adaptive", "--stats", "b.json"});
+  CHECK(run(folder, adaptive).exit_code == 0);
+  CHECK((folder.read("a.png") == folder.read("b.png")));
+  const std::string stats = folder.read("b.json");
+  CHECK(member(stats, "refined_pixels") > 0);
+  CHECK(member(stats, "refined_pixels") < 8 * 32);  // the cube is 30 pixels wide: two pixels along each side
+  CHECK(member(stats, "primary") + member(stats, "primary_beyond_bounds") + member(stats, "primary_like_neighbours") ==
+        16 * 60 * 60 + member(stats, "refined_pixels"));
+}
+
+TEST_CASE("the option --adaptive needs light to compare, and samples to leave out") {
+  const SceneFolder folder;
+  const auto refused = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"render", "scene.csg", "-o", "a.png", "--adaptive"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(folder, arguments);
+    CHECK(outcome.exit_code == 2);
+    return outcome.err;
+  };
+  CHECK(refused({"--samples", "4", "--mode", "edges"}) ==
+        "csgcast: error: --adaptive needs --mode shaded (pixels are compared by their light); see csgcast render "
+        "--help\n");
+  CHECK(
+      refused({}) ==
+      "csgcast: error: --adaptive needs --samples of more than 1 (it takes fewer where pixels look alike); see csgcast "
+      "render --help\n");
+  CHECK(folder.names() == std::vector<std::string>{"scene.csg"});
+}
+
 TEST_CASE("each mode makes a picture of its own") {
   const SceneFolder folder;
   std::vector<std::string> pictures;
