@@ -161,7 +161,9 @@ struct PacketCaster::State {
   std::array<double, rays_at_once> t;
   std::array<std::uint32_t, rays_at_once> surface;
   std::array<std::uint8_t, rays_at_once> root;
-  std::vector<std::uint32_t> left;       // the rays that lanes could not decide
+  std::vector<std::uint32_t> left;     // the rays that lanes could not decide
+  std::vector<std::uint32_t> unowned;  // those whose face they could not tell the owner of
+  std::vector<std::uint8_t> roots;
   std::vector<std::uint32_t> unrounded;  // and those whose t they could not round
   IntervalList list;
 };
@@ -267,13 +269,25 @@ void PacketCaster::first_faces(const RayArrays& rays, const FaceArrays& faces) {
   State& state = *state_;
   detail::LaneHits lanes;
   lanes.faces = faces;
+  lanes.unowned = &state.unowned;
   lanes.left = &state.left;
+  state.unowned.clear();
   state.left.clear();
+  state.roots.resize(std::max(state.roots.size(), rays.count));
+  if (faces.root == nullptr) lanes.faces.root = state.roots.data();
   if (scene().bounded_leaves().is_finite()) {
     state.code.first_hits(scene(), state.cells.data(), rays, lanes, state.counts);
   } else {  // places are computed another way (LineCache::point)
     state.left.resize(rays.count);
     std::iota(state.left.begin(), state.left.end(), 0u);
+  }
+  for (const std::uint32_t i : state.unowned) {
+    begin(state.caster, rays, i);
+    const Passage passage = faces.state[i] == FaceArrays::entry ? Passage::entry : Passage::exit;
+    const Crossing crossing{faces.t[i], SurfaceId(faces.surface[i]), lanes.faces.root[i]};
+    const Attribution face = state.caster.attribute(state.cells.node(), {crossing, passage});
+    faces.look[i] = face.look.index();
+    if (faces.leaf != nullptr) faces.leaf[i] = face.leaf.index();
   }
   for (const std::uint32_t i : state.left) {
     begin(state.caster, rays, i);

@@ -53,6 +53,9 @@ CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {
     if (leaf.region.valid() && !leaf.holds_nothing && leaf.look != scene.region(leaf.region).look)
       even_look[leaf.region.index()] = 0;
   }
+  const bool has_cuts =
+      std::any_of(scene.leaves().begin(), scene.leaves().end(), [](const Leaf& leaf) { return leaf.shows_cut; });
+  if (has_cuts) holders = HolderTree(scene, node);
   place_leaves(node);
 }
 

@@ -39,18 +39,6 @@ double area(const CellBox& box) {
   return s.x * s.y + s.y * s.z + s.z * s.x;
 }
 
-CellBox inflated(const CellBox& box) {
-  const Vector m{cell_margin, cell_margin, cell_margin};
-  return {box.lower - m, box.upper + m};
-}
-
-bool apart(const CellBox& a, const CellBox& b) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (a.lower[axis] > b.upper[axis] || a.upper[axis] < b.lower[axis]) return true;
-  }
-  return false;
-}
-
 CellBox below(CellBox box, std::size_t axis, double at) {
   box.upper[axis] = at;
   return box;
@@ -112,7 +100,12 @@ CellData CellBuilder::build(NodeId node) {
 void CellBuilder::build_outside(const Formula& whole) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CellBox rest{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
-  std::vector<std::pair<std::size_t, Formula>> above_all;  // splits whose other child, the rest, comes first
+  struct Above {
+    std::size_t node;
+    CellBox box;
+    Formula formula;
+  };
+  std::vector<Above> above_all;  // splits whose other child, the rest, comes first
   Formula formula;
   is_outside_ = true;
   for (std::size_t side = 0; side < 6; ++side) {
@@ -121,13 +114,14 @@ void CellBuilder::build_outside(const Formula& whole) {
     const double at = is_lower ? data_.box.lower[axis] : data_.box.upper[axis];
     const std::size_t node = data_.nodes.size();
     data_.nodes.push_back({at, 0, static_cast<std::uint32_t>(axis)});
-    fold(whole, is_lower ? below(rest, axis, at) : above(rest, axis, at), formula);
+    const CellBox outer = is_lower ? below(rest, axis, at) : above(rest, axis, at);
+    fold(whole, outer, formula);
     if (is_lower) {
-      add_cell(formula);
+      add_cell(formula, outer);
       data_.nodes[node].above = static_cast<std::uint32_t>(data_.nodes.size());
       rest.lower[axis] = at;
     } else {
-      above_all.emplace_back(node, formula);
+      above_all.push_back({node, outer, formula});
       rest.upper[axis] = at;
     }
   }
@@ -135,9 +129,9 @@ void CellBuilder::build_outside(const Formula& whole) {
   fold(whole, rest, formula);
   build(formula, rest, 0, most_hopes);
   is_outside_ = true;
-  for (const auto& [node, outer] : above_all) {
-    data_.nodes[node].above = static_cast<std::uint32_t>(data_.nodes.size());
-    add_cell(outer);
+  for (const Above& above : above_all) {
+    data_.nodes[above.node].above = static_cast<std::uint32_t>(data_.nodes.size());
+    add_cell(above.formula, above.box);
   }
 }
 
@@ -198,17 +192,17 @@ double CellBuilder::trial_cost(const Formula& formula, const CellBox& box) {
 }
 
 double CellBuilder::build(const Formula& formula, const CellBox& box, int depth, int hopes) {
-  if (formula.is_constant()) return add_cell(formula);
+  if (formula.is_constant()) return add_cell(formula, box);
   std::vector<SurfaceId> surfaces;
   gather_surfaces(formula, surfaces);
   const double as_one = cost_of_cell(surfaces.size());
-  if (surfaces.size() < 2 || depth == most_depth) return add_cell(formula);
+  if (surfaces.size() < 2 || depth == most_depth) return add_cell(formula, box);
   std::vector<LeafId> leaves;
   gather_leaves(formula, leaves);
   const bool is_too_large = surfaces.size() > Cell::table_slots;
   double least = std::numeric_limits<double>::infinity();
   for (const LeafId leaf : leaves) least = std::fmin(least, area(ground_.leaf_boxes[leaf.index()]));
-  if (area(box) < least * (is_too_large ? least_share_of_large : least_share)) return add_cell(formula);
+  if (area(box) < least * (is_too_large ? least_share_of_large : least_share)) return add_cell(formula, box);
   Split split;
   if (leaves.size() > most_leaves_tried) split = split_by_bins(leaves, box);
   if (split.cost == 0 || split.cost > 0.95 * as_one) {
@@ -217,19 +211,19 @@ double CellBuilder::build(const Formula& formula, const CellBox& box, int depth,
   }
   const bool is_crowded = surfaces.size() > Cell::most_slots;  // such a cell would be left to the caster
   if (is_crowded && split.cost == 0) split = split_in_half(box);
-  if (split.cost == 0) return add_cell(formula);
+  if (split.cost == 0) return add_cell(formula, box);
   const bool is_promising = split.cost < as_one;
   const int fewest_hopes = is_crowded ? -hopes_of_crowded : is_too_large ? -hopes_of_large : 0;
-  if (!is_promising && hopes <= fewest_hopes) return add_cell(formula);
+  if (!is_promising && hopes <= fewest_hopes) return add_cell(formula, box);
   // Where surfaces crowd in more than a place, splits could go on for ever.
-  if (!is_promising && is_crowded && crowded_splits_++ > most_crowded_splits_) return add_cell(formula);
+  if (!is_promising && is_crowded && crowded_splits_++ > most_crowded_splits_) return add_cell(formula, box);
   const int left = is_promising ? most_hopes : hopes - 1;
 
   const Marks before = marks();
   const double cost = build_parts(formula, box, split, leaves.size(), depth, left);
   if (cost < as_one || is_crowded) return cost;
   forget_since(before);
-  return add_cell(formula);
+  return add_cell(formula, box);
 }
 
 // The two sides of a split, side by side if they are large.

@@ -8,9 +8,23 @@
 
 #include "raycast/detail/cell_axes.h"
 #include "raycast/detail/cell_data.h"
+#include "raycast/detail/cut_look.h"
 #include "raycast/detail/formula.h"
 
 namespace csgcast::detail {
+
+/// A cell's box as wide as it is taken to be.
+inline CellBox inflated(const CellBox& box) {
+  const Vector m{cell_margin, cell_margin, cell_margin};
+  return {box.lower - m, box.upper + m};
+}
+
+inline bool apart(const CellBox& a, const CellBox& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (a.lower[axis] > b.upper[axis] || a.upper[axis] < b.lower[axis]) return true;
+  }
+  return false;
+}
 
 /// What is known of a scene before its space is cut: read by all who build its cells.
 struct CellGround {
@@ -22,7 +36,8 @@ struct CellGround {
   std::vector<LaneSurface> surfaces;    ///< by surface
   std::vector<CellBox> leaf_boxes;      ///< by leaf
   std::vector<std::uint8_t> even_look;  ///< by region: all that it is made of, and its faces, look the same
-  CellBox box{};                        ///< of the node; of an unbounded one the frame's cube
+  HolderTree holders;
+  CellBox box{};  ///< of the node; of an unbounded one the frame's cube
   bool is_bounded = true;
 
  private:
@@ -63,7 +78,7 @@ class CellBuilder {
                      int hopes);
   void append(CellData&& part);
   double build(const Formula& formula, const CellBox& box, int depth, int hopes);
-  double add_cell(const Formula& formula);
+  double add_cell(const Formula& formula, const CellBox& box);
   void fold(const Formula& from, const CellBox& box, Formula& result);
   Sides sides_of(SurfaceId id, const CellBox& inflated);
   void gather_surfaces(const Formula& formula, std::vector<SurfaceId>& surfaces);
@@ -76,9 +91,10 @@ class CellBuilder {
   std::vector<std::uint64_t> table_of(const Formula& formula, std::span<const SurfaceId> surfaces);
   bool add_table(const Formula& formula, std::vector<SurfaceId>& surfaces, Cell& cell);
   void add_steps(const Formula& formula, Cell& cell);
-  void add_slots(const Formula& formula, std::span<const SurfaceId> surfaces, Cell& cell);
-  Slot slot_of(const Formula& formula, SurfaceId surface) const;
-  LookId face_look(const Leaf& leaf, bool one_region) const;
+  void add_slots(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box, Cell& cell);
+  Slot slot_of(const Formula& formula, SurfaceId surface, const CellBox& box);
+  LookId face_look(const Leaf& leaf, bool one_region, const CellBox& box);
+  const HolderTree::Shown& cut_look(const CellBox& box);
   Marks marks() const { return {data_.nodes.size(), data_.cells.size(), data_.slots.size(), data_.steps.size()}; }
   void forget_since(const Marks& marks);
 
@@ -97,6 +113,8 @@ class CellBuilder {
   std::vector<std::uint32_t> seen_in_;
   std::uint32_t sighting_ = 0;
   std::vector<std::uint32_t> slot_of_surface_;  // in the cell that is being made
+  std::optional<HolderTree::Shown> cut_look_;   // in the cell that is being made, once it is known
+  HolderTree::Search holder_search_;
   Formula trial_;
   std::vector<SurfaceId> trial_surfaces_;
 };

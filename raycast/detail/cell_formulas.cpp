@@ -113,7 +113,7 @@ void CellBuilder::add_steps(const Formula& formula, Cell& cell) {
   cell.step_count = static_cast<std::uint16_t>(count);
 }
 
-double CellBuilder::add_cell(const Formula& formula) {
+double CellBuilder::add_cell(const Formula& formula, const CellBox& box) {
   const auto end_at = [&](std::size_t cell) {
     data_.nodes.push_back({0, static_cast<std::uint32_t>(cell), CellNode::no_axis});
   };
@@ -141,7 +141,7 @@ double CellBuilder::add_cell(const Formula& formula) {
         return kind == LaneSurface::Kind::undecided || (is_outside_ && kind > LaneSurface::Kind::plane);
       });
   if (!cell.is_undecided) {
-    add_slots(formula, surfaces, cell);
+    add_slots(formula, surfaces, box, cell);
     if (!has_table) add_steps(formula, cell);
   }
   end_at(data_.cells.size());
@@ -149,7 +149,9 @@ double CellBuilder::add_cell(const Formula& formula) {
   return cost_of_cell(surfaces.size());
 }
 
-void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> surfaces, Cell& cell) {
+void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box,
+                            Cell& cell) {
+  cut_look_.reset();
   cell.first_slot = static_cast<std::uint32_t>(data_.slots.size());
   cell.slot_count = static_cast<std::uint8_t>(surfaces.size());
   slot_of_surface_.resize(scene_.surfaces().size());
@@ -158,19 +160,44 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
     if (is_plane(kind)) ++cell.plane_count;
     if (kind == LaneSurface::Kind::sphere || is_axis_cylinder(kind)) cell.slack = round_slack;
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
-    data_.slots.push_back(slot_of(formula, surfaces[i]));
+    data_.slots.push_back(slot_of(formula, surfaces[i], box));
   }
 }
 
 // What a leaf's faces show, if that is the same everywhere in the cell. Of a cut it is the look of the first leaf that
 // holds the place: one of the same region if no other region has a part in the cell.
-LookId CellBuilder::face_look(const Leaf& leaf, bool one_region) const {
+LookId CellBuilder::face_look(const Leaf& leaf, bool one_region, const CellBox& box) {
   if (!leaf.shows_cut) return leaf.look;
   const bool is_even = one_region && leaf.region.valid() && ground_.even_look[leaf.region.index()] != 0;
-  return is_even ? scene_.region(leaf.region).look : LookId();
+  if (is_even) return scene_.region(leaf.region).look;
+  const HolderTree::Shown& shown = cut_look(box);
+  if (!shown.is_one || (shown.may_be_none && !leaf.region.valid())) return {};
+  if (!shown.may_be_none) return shown.look;
+  const LookId own = scene_.region(leaf.region).look;
+  return !shown.look.valid() || shown.look == own ? own : LookId();
 }
 
-Slot CellBuilder::slot_of(const Formula& formula, SurfaceId surface) const {
+const HolderTree::Shown& CellBuilder::cut_look(const CellBox& box) {
+  if (cut_look_) return *cut_look_;
+  ++question_;
+  const CellBox wide = inflated(box);
+  cut_look_ = ground_.holders.shown(scene_, holder_search_, [&](LeafId id) {
+    if (apart(ground_.leaf_boxes[id.index()], wide)) return Known::no;
+    bool is_open = false;
+    for (const HalfSpace& half_space : scene_.half_spaces(scene_.leaf(id))) {
+      const Sides sides = sides_of(half_space.surface, wide);
+      if (sides == Sides::both) {
+        is_open = true;
+      } else if ((sides == Sides::positive) != (half_space.sense == Sense::positive)) {
+        return Known::no;
+      }
+    }
+    return is_open ? Known::open : Known::yes;
+  });
+  return *cut_look_;
+}
+
+Slot CellBuilder::slot_of(const Formula& formula, SurfaceId surface, const CellBox& box) {
   bool one_region = true;
   RegionId region;
   for (const Term& term : formula.terms) {
@@ -188,7 +215,7 @@ Slot CellBuilder::slot_of(const Formula& formula, SurfaceId surface) const {
     if (term.op != Term::Op::leaf) continue;
     const auto sides = std::span(formula.terms).subspan(i + 1, term.size - 1);
     if (std::none_of(sides.begin(), sides.end(), [&](const Term& side) { return side.surface() == surface; })) continue;
-    const LookId look = face_look(scene_.leaf(LeafId(term.what)), one_region);
+    const LookId look = face_look(scene_.leaf(LeafId(term.what)), one_region, box);
     one_look = one_look && (owners == 0 || look == shown) && look.valid();
     shown = look;
     owner = LeafId(term.what);

@@ -93,8 +93,7 @@ HWY_INLINE void leave(std::vector<std::uint32_t>& left, std::size_t first, unsig
   counts.flagged += static_cast<std::uint64_t>(__builtin_popcount(lanes));
 }
 
-/// What a packet's rays found first. Returns the lanes of which not all is known: whose look or leaf depends on more
-/// than the cell, or whose numbers need the scalar code.
+/// What a packet's rays found first. Returns the lanes whose numbers need the scalar code.
 template <class D>
 HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
                                   const Walk<D, Wanted::first>& walk, hn::Mask<D> found, std::size_t first,
@@ -114,13 +113,14 @@ HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells
   store_lanes(d, told.normal, faces.normal, first, count);
   store_bytes(~bits_of(d, walk.rises()), faces.comes_positive + first, count);
   const auto unknown = hn::Set(bits, LookId().index());
-  auto left = hn::Or(told.left, hn::And(found, hn::RebindMask(d, hn::Eq(owners.look, unknown))));
+  auto unowned = hn::RebindMask(d, hn::Eq(owners.look, unknown));
   store_ids(d, owners.look, faces.look + first, count);
   if (faces.leaf != nullptr) {
-    left = hn::Or(left, hn::And(found, hn::RebindMask(d, hn::Eq(owners.leaf, unknown))));
+    unowned = hn::Or(unowned, hn::RebindMask(d, hn::Eq(owners.leaf, unknown)));
     store_ids(d, owners.leaf, faces.leaf + first, count);
   }
-  return left;
+  add_lanes(*hits.unowned, first, bits_of(d, hn::AndNot(told.left, hn::And(found, unowned))));
+  return told.left;
 }
 
 /// Takes the next packet's lines through the cells.

@@ -21,6 +21,8 @@ namespace csgcast::detail {
 /// What was found of each ray. Arrays of FaceArrays may be null where they are not wanted, but `state`.
 struct LaneHits {
   FaceArrays faces;
+  std::vector<std::uint32_t>* unowned = nullptr;    ///< if looks are wanted: gets the rays whose face's look or leaf
+                                                    ///< depends on more than the cell; only these are not told
   bool rounds = false;                              ///< t is wanted rounded to nearest
   std::vector<std::uint32_t>* unrounded = nullptr;  ///< then: gets the rays whose t still has to be
   std::vector<std::uint32_t>* left = nullptr;       ///< gets the rays that lanes cannot tell all about: nothing told of
