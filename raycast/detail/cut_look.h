@@ -32,8 +32,8 @@ class HolderTree {
 
   /// What cuts show in some part of space.
   struct Shown {
-    bool is_one = false;  ///< every holder there looks the same
-    LookId look;          ///< then: how; not valid if there is none
+    bool is_one = false;       ///< every holder there looks the same
+    LookId look;               ///< then: how; not valid if there is none
     bool may_be_none = false;  ///< some place may have no holder: a cut shows its region's look there
   };
 
