@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "raycast/detail/cell_builder.h"
+#include "raycast/detail/lanes.h"
 
 namespace csgcast {
 
@@ -11,6 +12,7 @@ namespace {
 
 detail::CellData cells_of(const Scene& scene, NodeId node) {
   detail::CellGround ground(scene, node);
+  detail::lane_codes();  // finds out once what the machine has, which takes as long as thousands of rays
   detail::CellData data = detail::CellBuilder(ground, scene.leaves().size()).build(node);
   data.surfaces = std::move(ground.surfaces);
   return data;

@@ -21,6 +21,7 @@
 
 #include "csg/error.h"
 #include "shade/camera.h"
+#include "shade/detail/shading_lanes.h"
 #include "shade/detail/tiles.h"
 
 namespace csgcast {
@@ -222,12 +223,14 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   std::optional<Cells> cells;
   const bool suits_packets = options.mode == Mode::shaded && detail::PacketTracer::suits(scene, view, camera);
   if (options.engine == Engine::packets && suits_packets) threads.run([&] { cells.emplace(scene); });
+  // What is there before the first ray: memory for the picture, and the code for this machine.
+  Film film(options.width, options.height, content(options.mode));
+  detail::shading_code();
   const auto start = Clock::now();
   const double cpu_start = cpu_seconds();
   const int grid = grid_of(options);
   const Sampling sampling = grid > 1 ? options.sampling : Sampling::regular;
   const detail::Job job{scene, view, camera, options.mode, grid, sampling, cells ? &*cells : nullptr};
-  Film film(options.width, options.height, content(options.mode));
   Workers workers(threads, job);
   const bool adaptive = sampling == Sampling::adaptive;
   adaptive ? fill_adaptively(workers, film, options.progress) : fill(workers, film, options.progress);

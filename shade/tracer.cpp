@@ -37,7 +37,20 @@ Rgb Tracer::trace(const Ray& ray, RayTree* tree) {
   sum_ = {};
   pending_.clear();
   pending_.push_back({RayKind::primary, 0, ray, std::nullopt, {}, white});
-  for (std::uint64_t rays = 0; !pending_.empty(); ++rays) {
+  return run_all(0);
+}
+
+Rgb Tracer::trace_on(const Reflected& reflected) {
+  tree_ = nullptr;
+  sum_ = reflected.brought;
+  pending_.clear();
+  pending_.push_back({RayKind::reflection, reflected.depth, reflected.ray, reflected.departure, {}, reflected.weight});
+  return run_all(static_cast<std::uint64_t>(reflected.depth));
+}
+
+// `rays`: how many the sample had before.
+Rgb Tracer::run_all(std::uint64_t rays) {
+  for (; !pending_.empty(); ++rays) {
     const Task task = pending_.back();
     pending_.pop_back();
     if (task.depth >= view_.settings.max_depth || rays >= most_rays_of_a_sample) {

@@ -27,6 +27,18 @@ class Tracer {
   /// The light that comes along a ray of unit direction. Records every ray in *tree, if given.
   Rgb trace(const Ray& ray, RayTree* tree = nullptr);
 
+  /// A reflected ray of a sample, with the share of its light that counts; how many rays led to it, one after the
+  /// other, and the light that these brought.
+  struct Reflected {
+    Ray ray;
+    Departure departure;
+    int depth;
+    Rgb weight;
+    Rgb brought;
+  };
+  /// The sample's light, traced on from there. Only in scenes without transparent media.
+  Rgb trace_on(const Reflected& reflected);
+
   /// What was done so far, without the caster's own counts.
   const RenderReport& report() const { return report_; }
 
@@ -64,6 +76,7 @@ class Tracer {
     Vector to_viewer;
   };
 
+  Rgb run_all(std::uint64_t rays);
   void run(const Task& task);
   void leave(const Task& task, Fate fate);
   std::optional<Boundary> next_boundary(const Task& task);

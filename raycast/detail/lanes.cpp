@@ -93,6 +93,15 @@ HWY_INLINE void leave(std::vector<std::uint32_t>& left, std::size_t first, unsig
   counts.flagged += static_cast<std::uint64_t>(__builtin_popcount(lanes));
 }
 
+/// The lanes that come back to the surface that they depart from.
+template <class D>
+HWY_INLINE hn::Mask<D> hits_own_surface(D d, const CellData& cells, const Walk<D, Wanted::first>& walk,
+                                        const Departures<D>& departures, hn::Mask<D> found) {
+  if (hn::AllFalse(d, found)) return found;
+  const auto surface = owners_of(d, cells, walk.slot()).surface;
+  return hn::And(found, hn::RebindMask(d, hn::Eq(surface, departures.surface)));
+}
+
 /// What a packet's rays found first. Returns the lanes whose numbers need the scalar code.
 template <class D>
 HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
@@ -147,8 +156,11 @@ void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, cons
     if (rays.departure != nullptr) set_departures(d, rays, first, count, departures);
     walk_packet(d, scene, cells, rays, first, count, line, walk, counts);
     auto left = walk.flagged();
-    const auto found = hn::AndNot(left, walk.found());
+    auto found = hn::AndNot(left, walk.found());
     if constexpr (wanted == Wanted::first) {
+      // Of the surface that a ray departs from, the scalar code tells by another form.
+      if (rays.departure != nullptr) left = hn::Or(left, hits_own_surface(d, cells, walk, departures, found));
+      found = hn::AndNot(left, found);
       if (!hn::AllFalse(d, found))
         left = hn::Or(left, store_hits(d, scene, cells, line, walk, found, first, count, hits));
     }

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "shade/detail/shading_lanes.h"
+#include "shade/phong.h"
 
 namespace csgcast::detail {
 
@@ -16,10 +18,7 @@ bool PacketTracer::suits(const Scene& scene, const View& view, const Camera& cam
 
 PacketTracer::PacketTracer(const Cells& cells, const View& view, const Camera& camera, Tracer& tracer)
     : scene_(cells.scene()), view_(view), camera_(camera), tracer_(tracer), caster_(cells) {
-  for (const Material& look : scene_.looks()) {
-    mirrors_.push_back(look.reflection > 0 ? 1 : 0);
-    has_mirrors_ = has_mirrors_ || look.reflection > 0;
-  }
+  for (const Material& look : scene_.looks()) has_mirrors_ = has_mirrors_ || look.reflection > 0;
 }
 
 RenderReport PacketTracer::report() const {
@@ -35,8 +34,10 @@ void PacketTracer::resize(std::size_t count) {
   for (Vectors* vectors : {&origin_, &direction_, &point_, &normal_, &color_, &shadow_origin_, &path_, &light_}) {
     for (Numbers& numbers : *vectors) numbers.resize(count + more);
   }
-  for (auto* list : {&surface_, &look_, &sample_, &departure_}) list->resize(count);
-  for (auto* list : {&state_, &comes_positive_, &is_plain_, &departs_positive_, &blocked_}) list->resize(count);
+  for (auto* list : {&surface_, &look_, &sample_, &departure_, &ray_sample_, &ray_departure_}) list->resize(count);
+  for (auto* list : {&state_, &comes_positive_, &is_plain_, &departs_positive_, &blocked_, &ray_departs_positive_})
+    list->resize(count);
+  weight_.resize(count);
   t_.resize(count);
   ones_.resize(count, 1.0);
 }
@@ -44,33 +45,34 @@ void PacketTracer::resize(std::size_t count) {
 void PacketTracer::trace(std::span<const double> x, std::span<const double> y, std::span<Rgb> colors) {
   if (x.empty()) return;
   resize(x.size());
-  see(x, y);
-  if (!sort_out(colors)) return;
-  const ShadingPoints points{x.size(),
-                             is_plain_.data(),
-                             {point_[0].data(), point_[1].data(), point_[2].data()},
-                             {normal_[0].data(), normal_[1].data(), normal_[2].data()},
-                             {direction_[0].data(), direction_[1].data(), direction_[2].data()},
-                             look_.data()};
-  shading_code().unlit(scene_.looks().data(), points, pointers(color_).data());
-  for (const LightDescription& light : view_.lights) add_light(light, points);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (is_plain_[i] != 0) colors[i] = {color_[0][i], color_[1][i], color_[2][i]};
+  depth_ = 0;
+  count_ = x.size();
+  shading_code().camera_rays(camera_.frame(), count_, x.data(), y.data(), pointers(origin_).data(),
+                             pointers(direction_).data());
+  std::iota(ray_sample_.begin(), ray_sample_.begin() + static_cast<std::ptrdiff_t>(count_), 0u);
+  for (; count_ > 0; ++depth_) {
+    see();
+    const bool any_is_plain = sort_out(colors);
+    if (any_is_plain) shade(colors);
+    if (!any_is_plain || !has_mirrors_) return;
+    reflect(colors);
   }
 }
 
-// What each sample's ray meets.
-void PacketTracer::see(std::span<const double> x, std::span<const double> y) {
-  shading_code().camera_rays(camera_.frame(), x.size(), x.data(), y.data(), pointers(origin_).data(),
-                             pointers(direction_).data());
+// What each ray meets.
+void PacketTracer::see() {
   RayArrays rays;
-  rays.count = x.size();
+  rays.count = count_;
   FaceArrays faces;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     rays.origin[axis] = origin_[axis].data();
     rays.direction[axis] = direction_[axis].data();
     faces.point[axis] = point_[axis].data();
     faces.normal[axis] = normal_[axis].data();
+  }
+  if (depth_ > 0) {
+    rays.departure = ray_departure_.data();
+    rays.departs_positive = ray_departs_positive_.data();
   }
   faces.state = state_.data();
   faces.t = t_.data();
@@ -80,20 +82,20 @@ void PacketTracer::see(std::span<const double> x, std::span<const double> y) {
   caster_.first_faces(rays, faces);
 }
 
-// Samples that see nothing get the background, those that see more than an opaque face without a mirror, from outside,
-// go to the tracer; the others are plain. Whether there are any.
+// Rays that see nothing get the background, those that see an opaque face from inside go to the tracer; the others are
+// plain. Whether there are any.
 bool PacketTracer::sort_out(std::span<Rgb> colors) {
+  std::uint64_t counted = 0;
   std::uint64_t plain = 0;
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    const bool is_plain = state_[i] == FaceArrays::entry && !(has_mirrors_ && mirrors_[look_[i]] != 0);
-    is_plain_[i] = is_plain ? 1 : 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    is_plain_[i] = state_[i] == FaceArrays::entry ? 1 : 0;
     plain += is_plain_[i];
-    if (is_plain) continue;
+    if (is_plain_[i] != 0) continue;
     if (state_[i] == FaceArrays::none) {
-      ++report_.rays.primary;
-      colors[i] = view_.background;
+      ++counted;
+      leave(i, colors[ray_sample_[i]]);
     } else {
-      trace_alone(i, colors[i]);
+      trace_alone(i, colors[ray_sample_[i]]);
     }
   }
   // Lanes tell of no place that is not finite.
@@ -101,15 +103,81 @@ bool PacketTracer::sort_out(std::span<Rgb> colors) {
     if (is_plain_[i] == 0 || std::isfinite(point_[0][i] + point_[1][i] + point_[2][i])) continue;
     is_plain_[i] = 0;
     --plain;
-    trace_alone(i, colors[i]);
+    trace_alone(i, colors[ray_sample_[i]]);
   }
-  report_.rays.primary += plain;
+  (depth_ == 0 ? report_.rays.primary : report_.rays.reflection) += counted + plain;
   return plain > 0;
 }
 
-void PacketTracer::trace_alone(std::size_t sample, Rgb& color) {
-  color = tracer_.trace({{origin_[0][sample], origin_[1][sample], origin_[2][sample]},
-                         {direction_[0][sample], direction_[1][sample], direction_[2][sample]}});
+// A ray that meets nothing.
+void PacketTracer::leave(std::size_t ray, Rgb& color) const {
+  color = depth_ == 0 ? view_.background : color + weight_[ray] * view_.background;
+}
+
+void PacketTracer::trace_alone(std::size_t ray, Rgb& color) {
+  const Ray alone({origin_[0][ray], origin_[1][ray], origin_[2][ray]},
+                  {direction_[0][ray], direction_[1][ray], direction_[2][ray]});
+  if (depth_ == 0) {
+    color = tracer_.trace(alone);
+    return;
+  }
+  const Sense side = ray_departs_positive_[ray] != 0 ? Sense::positive : Sense::negative;
+  color = tracer_.trace_on({alone, {SurfaceId(ray_departure_[ray]), side}, depth_, weight_[ray], color});
+}
+
+// Adds what the plain rays' faces show by themselves.
+void PacketTracer::shade(std::span<Rgb> colors) {
+  const ShadingPoints points{count_,
+                             is_plain_.data(),
+                             {point_[0].data(), point_[1].data(), point_[2].data()},
+                             {normal_[0].data(), normal_[1].data(), normal_[2].data()},
+                             {direction_[0].data(), direction_[1].data(), direction_[2].data()},
+                             look_.data()};
+  shading_code().unlit(scene_.looks().data(), points, pointers(color_).data());
+  for (const LightDescription& light : view_.lights) add_light(light, points);
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (is_plain_[i] == 0) continue;
+    const Rgb local{color_[0][i], color_[1][i], color_[2][i]};
+    Rgb& color = colors[ray_sample_[i]];
+    color = depth_ == 0 ? local : color + weight_[i] * local;
+  }
+}
+
+// The next depth's rays are those that the plain ones' faces reflect.
+void PacketTracer::reflect(std::span<Rgb> colors) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (is_plain_[i] != 0 && scene_.looks()[look_[i]].reflection > 0 && reflect(i, next)) ++next;
+  }
+  count_ = next;
+  if (depth_ + 1 < view_.settings.max_depth) return;
+  ++depth_;
+  for (std::size_t i = 0; i < count_; ++i) leave(i, colors[ray_sample_[i]]);
+  report_.skipped.depth_limit += count_;
+  count_ = 0;
+}
+
+// Puts the ray that one's face reflects where it is told to, at or before its own place; false if it counts too little.
+bool PacketTracer::reflect(std::size_t ray, std::size_t to) {
+  const Vector d{direction_[0][ray], direction_[1][ray], direction_[2][ray]};
+  const Vector out{normal_[0][ray], normal_[1][ray], normal_[2][ray]};
+  const Vector direction = normalised(mirrored(d, dot(out, d) > 0 ? -out : out));
+  const double share = scene_.looks()[look_[ray]].reflection;
+  const Rgb weight = share * (depth_ == 0 ? Rgb{1, 1, 1} : weight_[ray]);
+  const bool is_direction = is_finite(direction) && direction != Vector{};
+  if (brightest(weight) < view_.settings.min_contribution || !(brightest(weight) > 0) || !is_direction) {
+    ++report_.skipped.reflection_below_cutoff;
+    return false;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    origin_[axis][to] = point_[axis][ray];
+    direction_[axis][to] = direction[axis];
+  }
+  weight_[to] = weight;
+  ray_sample_[to] = ray_sample_[ray];
+  ray_departure_[to] = surface_[ray];
+  ray_departs_positive_[to] = comes_positive_[ray];
+  return true;
 }
 
 // Adds what a light brings where nothing is in its way.

@@ -16,8 +16,9 @@ namespace csgcast::detail {
 
 struct ShadingPoints;
 
-/// Shades many samples of a picture at once, in lanes: the same light as Tracer's, bit for bit. Samples that see more
-/// than an opaque face without a mirror from outside go to a Tracer, one by one. The working memory of one thread.
+/// Shades many samples of a picture at once, in lanes: the same light as Tracer's, bit for bit. All rays of one depth
+/// are traced together: those of the camera, then those that mirrors reflect, .. Samples that see an opaque face from
+/// inside go to a Tracer, one by one. The working memory of one thread.
 class PacketTracer {
  public:
   /// Whether packets can make the picture: nothing in the scene lets light through, and rays are traced at all.
@@ -37,9 +38,13 @@ class PacketTracer {
   using Vectors = std::array<Numbers, 3>;
 
   void resize(std::size_t count);
-  void see(std::span<const double> x, std::span<const double> y);
+  void see();
   bool sort_out(std::span<Rgb> colors);
-  void trace_alone(std::size_t sample, Rgb& color);
+  void trace_alone(std::size_t ray, Rgb& color);
+  void shade(std::span<Rgb> colors);
+  void reflect(std::span<Rgb> colors);
+  void leave(std::size_t ray, Rgb& color) const;
+  bool reflect(std::size_t ray, std::size_t to);
   void add_light(const LightDescription& light, const ShadingPoints& points);
   std::array<double*, 3> pointers(Vectors& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
 
@@ -49,10 +54,15 @@ class PacketTracer {
   Tracer& tracer_;
   PacketCaster caster_;
   RenderReport report_;
-  std::vector<std::uint8_t> mirrors_;  // by look
   bool has_mirrors_ = false;
 
-  // By sample: its ray, and the face that it sees.
+  // By ray of the present depth: whose sample it is of, what its light counts, where it starts; and the face that it
+  // sees.
+  int depth_ = 0;
+  std::size_t count_ = 0;
+  std::vector<std::uint32_t> ray_sample_, ray_departure_;
+  std::vector<std::uint8_t> ray_departs_positive_;
+  std::vector<Rgb> weight_;
   Vectors origin_, direction_, point_, normal_;
   Numbers t_;
   std::vector<std::uint8_t> state_, comes_positive_;
