@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "csg/text/builder.h"
+#include "csg/text/reader.h"
 #include "shade/render.h"
 #include "tests/support/catch.h"
 #include "tests/support/examples.h"
@@ -36,6 +38,42 @@ TEST_CASE("packets make the same picture as rays one by one, bit for bit, on any
       CHECK(report.rays.reflection == one_by_one.rays.reflection);
       CHECK(report.skipped.shadow_facing_away == one_by_one.skipped.shadow_facing_away);
       CHECK(report.skipped.shadow_without_effect == one_by_one.skipped.shadow_without_effect);
+    }
+  }
+}
+
+TEST_CASE("mirrors, cuts and eyes inside solids look the same in packets, at any depth of reflection") {
+  const std::string room = R"(
+    light(position = [0.3, -0.4, 1.5]);
+    light(direction = [1, 1, -1], intensity = 0.3);
+    rotate(a = 30, v = [1, 2, 3]) {
+      material(color = [0.9, 0.8, 0.7], reflection = 0.8) {
+        difference() {
+          cube(size = 4, center = true);
+          cube(size = 3, center = true);
+          material(color = [0.2, 0.4, 0.9], reflection = 0.5) { cylinder(h = 9, r = 0.4, center = true); }
+        }
+      }
+      material(color = [0.4, 0.9, 0.3], reflection = 0.9) {
+        intersection() { sphere(r = 0.9); translate([0, 0, 0.2]) { difference() { cube(size = 2); sphere(r = 0.5); } } }
+      }
+    }
+  )";
+  for (const char* view : {"camera(eye = [1.1, -1, 0.2], look_at = [0, 0, 0.3], fov = 80);",
+                           "camera(eye = [9, -6, 5], look_at = [0, 0, 0], fov = 40);",
+                           "camera(eye = [0.35, 0.3, 0.7], look_at = [0, -1, 0], fov = 90);"}) {
+    for (const char* depth : {"1", "2", "40"}) {
+      INFO(view << " depth " << depth);
+      const std::string text =
+          std::string(view) + "settings(max_depth = " + depth + ", min_contribution = 0.001);" + room;
+      const SceneDescription description = text::build(text::read(text, "mirrors.csg"));
+      const Scene scene = compile(description.solid, Welding::derived());
+      RenderReport one_by_one, report;
+      const Film expected = picture(description, scene, Engine::scalar, 1, 1, &one_by_one);
+      CHECK(picture(description, scene, Engine::packets, 1, 2, &report).values() == expected.values());
+      CHECK(report.rays.reflection == one_by_one.rays.reflection);
+      CHECK(report.skipped.reflection_below_cutoff == one_by_one.skipped.reflection_below_cutoff);
+      CHECK(report.skipped.depth_limit == one_by_one.skipped.depth_limit);
     }
   }
 }
