@@ -129,6 +129,20 @@ HWY_INLINE void set_near(D d, const Frame& frame, const Triples<hn::Vec<D>>& o, 
   const V reach = hn::Add(size, hn::Mul(hn::Set(d, 2.0), hn::Abs(line.shift)));
   line.low_error = hn::Add(hn::Mul(hn::Set(d, 0x8p-106), reach), hn::Set(d, 0x1p-1000));
   line.near_error = hn::Add(hn::Mul(hn::Set(d, 0x1p-53), longest(line.near)), line.low_error);
+  // From farther away `near` is off by more than its own rounding, which is what the constants allow for.
+  line.valid = hn::And(line.valid, hn::Lt(line.low_error, hn::Set(d, 0x1p-55)));
+}
+
+/// Lanes with a part of the direction that is so near zero, but not zero, that its products may underflow.
+template <class D>
+HWY_INLINE hn::Mask<D> has_tiny_part(D d, const Triples<hn::Vec<D>>& v) {
+  using V = hn::Vec<D>;
+  const V least = hn::Set(d, 1e-100);
+  const V smallest = hn::Min(hn::Min(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
+  auto tiny = hn::Lt(smallest, least);
+  if (hn::AllFalse(d, tiny)) return tiny;
+  const auto is_tiny = [&](V part) { return hn::And(hn::Lt(hn::Abs(part), least), hn::Ne(part, hn::Zero(d))); };
+  return hn::Or(is_tiny(v.x), hn::Or(is_tiny(v.y), is_tiny(v.z)));
 }
 
 /// The line in its frame, as LineFrame makes it.
@@ -145,6 +159,7 @@ HWY_INLINE void set_line(D d, const Frame& frame, const CellData& cells, const R
   const auto scales = [&](V scaled, V original) { return hn::Eq(hn::Mul(scaled, back), original); };
   line.valid =
       hn::And(hn::And(scales(line.direction.x, v.x), scales(line.direction.y, v.y)), scales(line.direction.z, v.z));
+  line.valid = hn::AndNot(has_tiny_part(d, line.direction), line.valid);
   line.unit = power_of_biased(d, hn::Sub(hn::Set(bits, static_cast<std::uint64_t>(2046 + frame.exponent)), exponent));
   if (cells.has_quadrics) {
     line.direction_squared = dot(line.direction, line.direction);

@@ -81,7 +81,9 @@ LaneSurface sphere(const Surface& surface) {
   // A sphere that was turned is not quite one: by so much of the radius the discriminant may be off for that.
   const double radius = std::sqrt(radius_squared);
   const double reach = radius + longest(to_center);
-  if (unevenness(k, a, {1, 1, 1}) * 3 * reach * reach > 64 * u * radius) return lane;
+  const double uneven = unevenness(k, a, {1, 1, 1});
+  // A cone is no tiny sphere.
+  if (uneven > 64 * u || uneven * 3 * reach * reach > 64 * u * radius) return lane;
   lane.kind = LaneSurface::Kind::sphere;
   const double least = std::fmax(0x1p-16 * radius_squared, 0x1p-43 * std::sqrt(radius_squared));
   lane.c = {center.x, center.y, center.z, radius_squared, least, a > 0 ? 1.0 : -1.0};

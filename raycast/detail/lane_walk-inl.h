@@ -36,7 +36,8 @@ class Walk {
     found_ = begun_ = now_inside_ = started_inside_ = unrounded_ = hn::MaskFromVec(zero);
     if constexpr (wanted == Wanted::all) ends_->clear();
     slot_ = count_ = hn::Zero(Bits());
-    rises_ = found_;
+    rises_ = covered_lanes_ = found_;
+    covered_ = zero;
     V from = line_.start;
     V to = line_.end;
     if (cells_.is_empty) return;
@@ -165,17 +166,37 @@ class Walk {
     begun_ = hn::Or(begun_, active);
     if (cell.slot_count == 0) {
       if (!hn::AllFalse(d, starting)) begin(starting, cell.value ? starting : hn::Xor(starting, starting));
-      // The state on the way in must agree: it does, unless something is wrong.
+      // No surface is near the cell. The state on the way in must agree: it does, unless something is wrong.
+      covered_lanes_ = hn::AndNot(active, covered_lanes_);
       return flag(cell.value ? hn::AndNot(now_inside_, active) : hn::And(now_inside_, active));
     }
     counts_.surface_tests += cell.slot_count;
     cell_events(d, line_, cells_, cell, departures_, events_);
     if constexpr (certified) {
       flag(hn::And(active, events_.flagged));
+      flag(hn::And(active, twins(cell, from, to)));
       active = hn::And(active, live_);
     }
     if (!hn::AllFalse(d, hn::And(starting, live_))) start(cell, hn::And(starting, live_));
     sweep(cell, from, to, hn::And(active, live_));
+  }
+
+  /// The lanes that meet a surface twice within slack, in the cell or next to it: such a pair hides from states before
+  /// and after it.
+  HWY_INLINE M twins(const Cell& cell, V from, V to) const {
+    const D d;
+    const V twice = hn::Add(events_.slack, events_.slack);
+    M close = hn::MaskFromVec(hn::Zero(d));
+    for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i)
+      close = hn::Or(close, hn::Le(hn::Sub(events_.second[i], events_.first[i]), twice));
+    if (hn::AllFalse(d, close)) return close;
+    M met = hn::MaskFromVec(hn::Zero(d));
+    for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i) {
+      const V first = events_.first[i], second = events_.second[i];
+      const M is_here = hn::And(hn::Le(first, hn::Add(to, twice)), hn::Ge(second, hn::Sub(from, twice)));
+      met = hn::Or(met, hn::And(is_here, hn::Le(hn::Sub(second, first), twice)));
+    }
+    return met;
   }
 
   /// What lanes start in; those with an event at the start are flagged.
@@ -225,32 +246,7 @@ class Walk {
       const U word = hn::Shr(hn::Set(bits, cell.table), state);
       return hn::RebindMask(d, hn::Ne(hn::And(word, hn::Set(bits, 1)), hn::Zero(bits)));
     }
-    return hn::RebindMask(d, value_by_steps(cell, state));
-  }
-
-  hn::Mask<Bits> value_by_steps(const Cell& cell, U state) const {
-    const Bits bits;
-    hn::Mask<Bits> stack[Cell::most_operands];
-    std::size_t height = 0;
-    for (std::size_t i = 0; i < cell.step_count; ++i) {
-      const Step& step = cells_.steps[cell.first_step + i];
-      if (step.op == Step::Op::leaf) {
-        const U off = hn::And(hn::Xor(state, hn::Set(bits, step.want)), hn::Set(bits, step.mask));
-        stack[height++] = hn::Eq(off, hn::Zero(bits));
-        continue;
-      }
-      if (step.op == Step::Op::complement) {
-        stack[height - 1] = hn::Not(stack[height - 1]);
-        continue;
-      }
-      --height;
-      hn::Mask<Bits>& left = stack[height - 1];
-      const hn::Mask<Bits> right = stack[height];
-      left = step.op == Step::Op::unite       ? hn::Or(left, right)
-             : step.op == Step::Op::intersect ? hn::And(left, right)
-                                              : hn::AndNot(right, left);
-    }
-    return stack[0];
+    return hn::RebindMask(d, value_by_steps(d, cells_, cell, state));
   }
 
   /// Event by event, as long as some lane has one in the cell. An event counts as certain if no other is within slack
@@ -261,7 +257,10 @@ class Walk {
     V limit = hn::Add(to, slack);
     // Finite: an event at infinity is none.
     if (cells_.reaches_beyond) limit = hn::Min(limit, hn::Set(d, std::numeric_limits<double>::max()));
-    V at = hn::Add(from, slack);
+    // The last cell looked at events up to its own slack beyond the border: this one goes on from there.
+    V at = hn::IfThenElse(covered_lanes_, covered_, hn::Add(from, slack));
+    covered_ = hn::IfThenElse(active, hn::Max(limit, at), covered_);
+    covered_lanes_ = hn::Or(covered_lanes_, active);
     V next = next_after(cell, at);
     // The lanes with an event to look at. Close to the end of what is asked nothing is certain.
     const auto due = [&](M lanes) {
@@ -379,7 +378,8 @@ class Walk {
   EndLog<D>* ends_;
   PacketCounts& counts_;
   Events<D> events_;
-  M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_, unrounded_;
+  M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_, unrounded_, covered_lanes_;
+  V covered_;
   bool rounds_ = false;
   U slot_, count_;
 };

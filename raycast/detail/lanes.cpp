@@ -23,6 +23,7 @@
 // These on both.
 #include "raycast/detail/lane_hits-inl.h"
 #include "raycast/detail/lane_log-inl.h"
+#include "raycast/detail/lane_values-inl.h"
 #include "raycast/detail/lane_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -200,3 +200,62 @@ TEST_CASE("cells do not depend on the number of threads that build them") {
   REQUIRE(a.slots.size() == b.slots.size());
   for (std::size_t i = 0; i < a.slots.size(); ++i) REQUIRE(a.slots[i].owner() == b.slots[i].owner());
 }
+
+namespace {
+
+// All intervals of a line by packets and by the definition.
+void check_line(const Solid& solid, const Ray& ray) {
+  const Scene scene = compile(solid, Welding::derived());
+  const Cells cells(scene);
+  Caster caster(scene);
+  IntervalList expected;
+  IntervalBatch batch;
+  for (const Span span : {Span(), Span::line()}) {
+    caster.begin(ray);
+    caster.intervals(expected, span);
+    for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
+      PacketCaster packets(cells, width);
+      packets.intervals(std::vector<Ray>{ray}, batch, span);
+      REQUIRE(batch.intervals.size() == expected.size());
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        CHECK(same(batch.intervals[k].entry, expected[k].entry));
+        CHECK(same(batch.intervals[k].exit, expected[k].exit));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a double cone that rounding gives a radius is no sphere") {
+  const Solid cone = transformed(hyperboloid(2, 2, 0), translation({0.2, -1, 0.1}));
+  RandomSolids random(17);
+  for (int i = 0; i < 200; ++i) {
+    const Point target = random.point(1.5) + Vector{0.2, -1, 0.1};
+    const Vector d = random.direction();
+    check_line(cone, Ray(target - 3.0 * d, d));
+  }
+}
+
+TEST_CASE("a surface that is met twice within the lanes' tolerance does not hide") {
+  const Solid cone = transformed(hyperboloid(2, 2, 0), translation({0.2, -1, 0.1}));
+  check_line(cone, Ray({0.19999999999999996, -1.0000000000000004, 0.1}, {-4, 5.999999999999998, -3.999999999999999}));
+  // Past the apex, at the distances at which the two crossings are closer than that.
+  for (int n = 20; n < 60; ++n) {
+    const double off = std::ldexp(1.0, -n);
+    check_line(cone, Ray({-2.8, -1, 0.1 + off}, {3, 0, 0.25 * off}));
+    check_line(cone - box({9, 9, 9}), Ray({0.2, -4, 0.1 - off}, {0, 3, 0}));
+  }
+}
+
+TEST_CASE("rays from where the scene is a point, and all but along an axis, are answered exactly") {
+  const Point far{1.4448509344704208, 1.4677759655495504, 0.22754620094568545};
+  for (const double r : {1e-12, 1e-18, 1e-24, 1e-40}) {
+    check_line(sphere(r), Ray(far, Point{} - far));
+    check_line(box({r, r, r}, Centering::centered), Ray(far, Point{} - far));
+  }
+  for (const double tiny : {1e-323, 1e-300, 1e-120}) {
+    check_line(box({1, 1, 1}), Ray({-3, 0, 0}, {1, -tiny, tiny}));
+    check_line(box({1, 1, 1}), Ray({-3, 1, 1}, {1, tiny, -tiny}));
+  }
+}
