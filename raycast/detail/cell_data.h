@@ -73,6 +73,7 @@ struct Cell {
   std::uint16_t step_count = 0;
   std::uint8_t slot_count = 0;
   std::uint8_t plane_count = 0;  ///< the first slots, whose surfaces a line crosses but once
+  bool may_have_twins = false;   ///< a line may meet some of its surfaces twice within slack, and be certain of it
   bool value = false;            ///< of a cell that no surface crosses
   bool is_undecided = false;     ///< rays through it are left to the caster
   bool is_far = false;           ///< infinite, crossed by planes alone

@@ -10,6 +10,7 @@
 namespace csgcast::detail {
 namespace {
 
+constexpr double least_radius = 0x1p14 * greatest_slack;
 constexpr std::size_t most_tabled = 10;  // more surfaces than that are not searched for those that do not matter
 constexpr std::array<std::uint64_t, 6> variable{0xaaaaaaaaaaaaaaaau, 0xccccccccccccccccu, 0xf0f0f0f0f0f0f0f0u,
                                                 0xff00ff00ff00ff00u, 0xffff0000ffff0000u, 0xffffffff00000000u};
@@ -158,7 +159,11 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const LaneSurface::Kind kind = ground_.surfaces[surfaces[i].index()].kind;
     if (is_plane(kind)) ++cell.plane_count;
-    if (kind == LaneSurface::Kind::sphere || is_axis_cylinder(kind)) cell.slack = round_slack;
+    const bool is_round = kind == LaneSurface::Kind::sphere || is_axis_cylinder(kind);
+    if (is_round) cell.slack = round_slack;
+    // The two crossings of a round surface that is not open are 2^-11 of its radius apart or more.
+    const bool is_tiny = is_round && ground_.surfaces[surfaces[i].index()].c[3] < least_radius * least_radius;
+    if (kind == LaneSurface::Kind::quadric || is_tiny) cell.may_have_twins = true;
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
     data_.slots.push_back(slot_of(formula, surfaces[i], box));
   }

@@ -174,7 +174,7 @@ class Walk {
     cell_events(d, line_, cells_, cell, departures_, events_);
     if constexpr (certified) {
       flag(hn::And(active, events_.flagged));
-      flag(hn::And(active, twins(cell, from, to)));
+      if (cell.may_have_twins) flag(hn::And(active, twins(cell, from, to)));
       active = hn::And(active, live_);
     }
     if (!hn::AllFalse(d, hn::And(starting, live_))) start(cell, hn::And(starting, live_));
