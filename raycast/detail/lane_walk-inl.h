@@ -103,6 +103,9 @@ class Walk {
     live_ = hn::AndNot(lanes, live_);
   }
 
+  /// Keeps the compiler from making a branch a selection, which would wait for its condition.
+  static HWY_INLINE void keep_branch() { asm volatile(""); }
+
   HWY_INLINE void descend(V from, V to, unsigned signs) {
     const D d;
     struct Rest {
@@ -123,19 +126,27 @@ class Walk {
         const bool upwards = ((signs >> axis) & 1) == 0;
         const std::uint32_t first = upwards ? at + 1 : node->above;
         const std::uint32_t second = upwards ? node->above : at + 1;
-        const bool to_first = !hn::AllFalse(d, hn::Le(from, first_to));
-        const bool to_second = !hn::AllFalse(d, hn::Le(second_from, to));
-        if (to_first && to_second) {
+        // Branches, not selections: where a packet goes is seldom a surprise after the one before it.
+        if (hn::AllFalse(d, hn::Le(from, first_to))) {
+          at = second;
+          keep_branch();
+        } else if (hn::AllFalse(d, hn::Le(second_from, to))) {
+          at = first;
+          keep_branch();
+        } else {
           stack[height].from = second_from;
           stack[height].to = to;
           stack[height++].node = second;
           to = first_to;
+          at = first;
         }
-        at = to_first ? first : second;
         node = &cells_.nodes[at];
       }
       const M active = hn::And(live_, hn::Le(from, to));
-      if (!hn::AllFalse(d, active)) visit(cells_.cells[node->above], from, to, active);
+      if (!hn::AllFalse(d, active)) {
+        visit(cells_.cells[node->above], from, to, active);
+        if (hn::AllFalse(d, live_)) return;
+      }
       for (;;) {
         if (height == 0) return;
         --height;

@@ -6,10 +6,11 @@ namespace csgcast::detail {
 LineCache::LineCache(const Scene& scene, const Predicates& predicates)
     : scene_(scene),
       predicates_(predicates),
-      line_(Ray({}, {0, 0, 1}), scene.frame()),
-      entries_(scene.surfaces().size()) {}
+      line_(Ray({}, {0, 0, 1}), scene.frame()) {}
 
 void LineCache::begin(const Ray& ray, SurfaceId departure, Sense side) {
+  // Not before: many casters never get a ray.
+  if (entries_.empty()) entries_.resize(scene_.surfaces().size());
   line_ = Line(ray, scene_.frame(), departure, side);
   line_.exact = &exact_;
   exact_.forget();
