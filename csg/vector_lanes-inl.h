@@ -10,10 +10,12 @@
 
 #include <hwy/highway.h>
 
+#include "csg/lane_ops-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace csgcast {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+namespace hn = ops;
 
 template <class D>
 using BitsOf = hn::RebindToUnsigned<D>;

@@ -14,7 +14,7 @@ detail::CellData cells_of(const Scene& scene, NodeId node) {
   detail::CellGround ground(scene, node);
   detail::lane_codes();  // finds out once what the machine has, which takes as long as thousands of rays
   detail::CellData data = detail::CellBuilder(ground, scene.leaves().size()).build(node);
-  data.surfaces = std::move(ground.surfaces);
+  data.normals = std::move(ground.normals);
   return data;
 }
 
@@ -38,7 +38,7 @@ Cells::Counts Cells::counts() const {
   }
   const auto bytes_of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
   counts.bytes = bytes_of(data_->nodes) + bytes_of(data_->cells) + bytes_of(data_->slots) + bytes_of(data_->steps) +
-                 bytes_of(data_->surfaces);
+                 bytes_of(data_->normals);
   return counts;
 }
 

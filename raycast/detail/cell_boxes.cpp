@@ -43,10 +43,15 @@ CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {
   if (scene.node(node).box.is_finite()) axes = common_axes(scene);
   forms.reserve(scene.surfaces().size());
   surfaces.reserve(scene.surfaces().size());
+  normals.reserve(scene.surfaces().size());
   for (const Surface& surface : scene.surfaces()) {
     forms.push_back({surface.local, surface.center});
     if (axes) forms.back() = axes->turned(forms.back());
     surfaces.push_back(make_lane_surface(surface, axes ? &forms.back() : nullptr));
+    using Form = QuadricForm;
+    const auto& k = surface.local;
+    const bool is_plane = surface.kind == SurfaceKind::plane;
+    normals.push_back(is_plane ? normalised(Vector{k[Form::x], k[Form::y], k[Form::z]}) : Vector{});
   }
   even_look.assign(scene.regions().size(), 1);
   for (const Leaf& leaf : scene.leaves()) {

@@ -33,22 +33,17 @@ struct CellNode {
   bool is_end() const { return axis == no_axis; }
 };
 
-/// A surface that crosses a cell, and the face that it makes there. Two words: lanes gather them.
-class Slot {
- public:
+/// A surface that crosses a cell, and the face that it makes there: a line of the cache, next to the cell's others.
+struct alignas(64) Slot {
   Slot() = default;
-  /// `leaf`: the only one that owns the surface in the cell; not valid if there are more. `look`: what every face on
-  /// this surface shows in the cell; not valid if that depends.
-  Slot(SurfaceId surface, LeafId leaf, LookId look)
-      : owner_(surface.index() | std::uint64_t{leaf.index()} << 32), look_(look.index()) {}
+  Slot(const LaneSurface& shape, SurfaceId id, LeafId owner, LookId face)
+      : c(shape.c), surface(id.index()), leaf(owner.index()), look(face.index()), kind(shape.kind) {}
 
-  std::uint32_t surface() const { return static_cast<std::uint32_t>(owner_); }
-  std::uint64_t owner() const { return owner_; }  ///< the surface below, the leaf above
-  std::uint64_t look() const { return look_; }
-
- private:
-  std::uint64_t owner_ = 0;
-  std::uint64_t look_ = 0;
+  std::array<double, 6> c{};  ///< as of a LaneSurface
+  std::uint32_t surface = 0;
+  std::uint32_t leaf = 0;  ///< the only one that owns the surface in the cell; not valid if there are more
+  std::uint32_t look = 0;  ///< what every face on this surface shows in the cell; not valid if that depends
+  LaneSurface::Kind kind = LaneSurface::Kind::undecided;
 };
 
 /// One step of the value of a formula over more surfaces than a table holds.
@@ -100,7 +95,7 @@ struct CellData {
   std::vector<Cell> cells;
   std::vector<Slot> slots;
   std::vector<Step> steps;
-  std::vector<LaneSurface> surfaces;    ///< by SurfaceId
+  std::vector<Vector> normals;          ///< by SurfaceId, of planes: the gradient, unit
   std::array<bool, 3> has_cylinders{};  ///< along each axis of the frame
   bool has_axis_planes = false;         ///< square to an axis
   bool has_quadrics = false;            ///< spheres and others

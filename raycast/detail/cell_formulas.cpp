@@ -226,7 +226,7 @@ Slot CellBuilder::slot_of(const Formula& formula, SurfaceId surface, const CellB
     owner = LeafId(term.what);
     ++owners;
   }
-  return {surface, owners == 1 ? owner : LeafId(), one_look ? shown : LookId()};
+  return {ground_.surfaces[surface.index()], surface, owners == 1 ? owner : LeafId(), one_look ? shown : LookId()};
 }
 
 }  // namespace csgcast::detail

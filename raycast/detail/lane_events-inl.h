@@ -35,10 +35,24 @@ struct Events {
 
   V first[Cell::most_slots];
   V second[Cell::most_slots];
-  M positive_before[Cell::most_slots];
-  V slack;    ///< four times what any of them is off
-  M flagged;  ///< lanes that know too little
+  hn::Vec<BitsOf<D>> before;  ///< the state before all of them
+  V slack;                    ///< four times what any of them is off
+  M flagged;                  ///< lanes that know too little
 };
+
+/// Sets whether surface i is positive before its events.
+template <class D>
+HWY_INLINE void set_before(Events<D>& events, std::size_t i, hn::Mask<D> positive) {
+  const BitsOf<D> bits;
+  const auto bit = hn::Set(bits, std::uint64_t{1} << i);
+  events.before = hn::Or(events.before, hn::IfThenElseZero(hn::RebindMask(bits, positive), bit));
+}
+
+/// The same for all lanes.
+template <class D>
+HWY_INLINE void set_before(D, Events<D>& events, std::size_t i, bool positive) {
+  events.before = hn::Or(events.before, hn::Set(BitsOf<D>(), std::uint64_t{positive} << i));
+}
 
 /// The surface that each ray departs from.
 template <class D>
@@ -65,12 +79,12 @@ HWY_INLINE void widen(Events<D>& events, hn::Vec<D> slack) {
 
 /// A plane square to an axis of the frame.
 template <class D>
-HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const LaneSurface& plane, std::size_t axis,
+HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const Slot& plane, std::size_t axis,
                                   std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
   events.first[i] = tau_at(d, line, axis, plane.c[0]);
   const auto falls = hn::Lt(line.axis_inverse[axis], hn::Zero(d));
-  events.positive_before[i] = plane.c[1] > 0 ? falls : hn::Not(falls);
+  set_before(events, i, plane.c[1] > 0 ? falls : hn::Not(falls));
   if (!line.any_is_loose) return;
   const Triples<V>& near = line.walk_near;
   const V gap = hn::Sub(hn::Set(d, plane.c[0]), axis == 0 ? near.x : axis == 1 ? near.y : near.z);
@@ -87,7 +101,7 @@ HWY_INLINE void depart_from_axis_plane(D d, const LineLanes<D>& line, std::size_
 }
 
 template <class D>
-HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const LaneSurface& plane, hn::Mask<D> departing,
+HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const Slot& plane, hn::Mask<D> departing,
                              std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
   const Triples<V> n{hn::Set(d, plane.c[0]), hn::Set(d, plane.c[1]), hn::Set(d, plane.c[2])};
@@ -104,7 +118,7 @@ HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const LaneSurface& p
   const auto is_open = hn::Or(hn::Lt(hn::Abs(value), out_of_reach), departing);
   flag(events, hn::And(is_loose, is_open));
   events.first[i] = hn::IfThenElse(departing, hn::Neg(hn::Inf(d)), at);
-  events.positive_before[i] = hn::Lt(slope, hn::Zero(d));
+  set_before(events, i, hn::Lt(slope, hn::Zero(d)));
 }
 
 /// A ray that departs from a sphere or cylinder has no event at its start; inwards it has one at the mirror image of
@@ -124,7 +138,7 @@ HWY_INLINE void depart_from_round(D d, const LineLanes<D>& line, hn::Vec<D> midd
 }
 
 template <class D>
-HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& sphere, hn::Mask<D> departing,
+HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const Slot& sphere, hn::Mask<D> departing,
                               const Departures<D>* departures, std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
   const Triples<V> v{hn::Sub(line.near.x, hn::Set(d, sphere.c[0])), hn::Sub(line.near.y, hn::Set(d, sphere.c[1])),
@@ -139,7 +153,7 @@ HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& 
   events.first[i] = hn::IfThenElse(misses, never, hn::Sub(middle, half));
   events.second[i] = hn::IfThenElse(misses, never, hn::Add(middle, half));
   const bool outside_is_positive = sphere.c[5] > 0;
-  events.positive_before[i] = outside_is_positive ? hn::Eq(middle, middle) : hn::Ne(middle, middle);
+  set_before(d, events, i, outside_is_positive);
   const auto is_open = hn::Le(hn::Abs(discriminant), hn::Set(d, sphere.c[4]));
   if (departures == nullptr) return flag(events, is_open);
   flag(events, hn::AndNot(departing, is_open));
@@ -149,7 +163,7 @@ HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const LaneSurface& 
 /// A cylinder about a line along an axis of the cells: a circle in the plane of the other two. Rays nearly along the
 /// axis see nothing of it within reach, or are left to the caster.
 template <class D>
-HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const AxisBounds& bounds, const LaneSurface& cylinder,
+HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const AxisBounds& bounds, const Slot& cylinder,
                                 std::size_t axis, hn::Mask<D> departing, const Departures<D>* departures, std::size_t i,
                                 Events<D>& events) {
   using V = hn::Vec<D>;
@@ -184,7 +198,7 @@ HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const AxisBounds&
   }
   events.first[i] = hn::IfThenElse(misses, never, hn::Sub(middle, half));
   events.second[i] = hn::IfThenElse(misses, never, hn::Add(middle, half));
-  events.positive_before[i] = outside_is_positive ? hn::Not(stays_inside) : stays_inside;
+  set_before(events, i, outside_is_positive ? hn::Not(stays_inside) : stays_inside);
   if (departures == nullptr) return flag(events, is_open);
   flag(events, hn::AndNot(departing, is_open));
   flag(events, hn::And(departing, is_steep));
@@ -201,8 +215,9 @@ struct QuadraticLanes {
 };
 
 template <class D>
-HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Surface::Coefficients& k, bool is_mixed,
-                                       const Vector& center) {
+HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Surface& surface) {
+  const Surface::Coefficients& k = surface.local;
+  const Vector& center = surface.center;
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto c = [&](std::size_t term) { return hn::Set(d, k[term]); };
@@ -211,7 +226,7 @@ HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Surf
     const auto row = [&](Form::Term own, V x, Form::Term m1, V y, Form::Term m2, V z) {
       return hn::Add(hn::Mul(c(own), x), hn::Mul(half, hn::Add(hn::Mul(c(m1), y), hn::Mul(c(m2), z))));
     };
-    if (!is_mixed) return Triples<V>{hn::Mul(c(Form::xx), v.x), hn::Mul(c(Form::yy), v.y), hn::Mul(c(Form::zz), v.z)};
+    if (!surface.is_mixed) return Triples<V>{hn::Mul(c(Form::xx), v.x), hn::Mul(c(Form::yy), v.y), hn::Mul(c(Form::zz), v.z)};
     return Triples<V>{row(Form::xx, v.x, Form::xy, v.y, Form::xz, v.z),
                       row(Form::yy, v.y, Form::xy, v.x, Form::yz, v.z),
                       row(Form::zz, v.z, Form::xz, v.x, Form::yz, v.y)};
@@ -234,11 +249,11 @@ HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Surf
 /// Any quadric, with running errors: line_filter.cpp in lanes.
 // long: one formula with the bounds of its parts
 template <class D>
-HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface& quadric, hn::Mask<D> departing,
-                               const Departures<D>* departures, std::size_t i, Events<D>& events) {
+HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& quadric, hn::Mask<D> departing,
+                               const Departures<D>* departures, std::size_t i,
+                               Events<D>& events) {
   using V = hn::Vec<D>;
-  const QuadraticLanes<D> f =
-      quadratic(d, line, quadric.c, quadric.is_mixed, Vector{quadric.center[0], quadric.center[1], quadric.center[2]});
+  const QuadraticLanes<D> f = quadratic(d, line, quadric);
   const auto set = [&](double value) { return hn::Set(d, value); };
   constexpr double u = 0x1p-53 * (1 + 0x1p-20);  // with room for the rounding of the bounds
   const V size = longest(f.q);
@@ -298,9 +313,10 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface&
   const auto sign_of_none = hn::Or(hn::And(hn::AndNot(none_in_reach, certain_a), a_is_positive),
                                    hn::AndNot(hn::AndNot(none_in_reach, certain_a), c_is_positive));
   const auto two = hn::Or(hn::And(far_is_out, falls), hn::AndNot(far_is_out, a_is_positive));
-  events.positive_before[i] = hn::Or(hn::And(has_none, sign_of_none), hn::AndNot(has_none, two));
+  const auto positive_before = hn::Or(hn::And(has_none, sign_of_none), hn::AndNot(has_none, two));
   const auto is_open = hn::AndNot(has_none, hn::Not(is_sound));
   if (departures == nullptr) {
+    set_before(events, i, positive_before);
     widen(events, hn::IfThenElseZero(hn::AndNot(has_none, is_sound), slack));
     return flag(events, is_open);
   }
@@ -323,14 +339,13 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const LaneSurface&
   const V before = hn::Neg(never);
   events.first[i] = hn::IfThenElse(departing, before, events.first[i]);
   events.second[i] = hn::IfThenElse(departing, hn::IfThenElse(leaves, before, other), events.second[i]);
-  events.positive_before[i] =
-      hn::Or(hn::And(departing, a_is_positive), hn::AndNot(departing, events.positive_before[i]));
+  set_before(events, i, hn::Or(hn::And(departing, a_is_positive), hn::AndNot(departing, positive_before)));
 }
 
 /// Far from the frame's cube planes are off by more: what is off their slope counts by the way there. All that is
 /// loose is left to the caster.
 template <class D>
-HWY_INLINE void loosen_far_events(D d, const LineLanes<D>& line, const LaneSurface& plane, hn::Mask<D> departing,
+HWY_INLINE void loosen_far_events(D d, const LineLanes<D>& line, const Slot& plane, hn::Mask<D> departing,
                                   std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
   if (plane.kind < LaneSurface::Kind::plane) {
@@ -349,15 +364,16 @@ HWY_INLINE void loosen_far_events(D d, const LineLanes<D>& line, const LaneSurfa
 
 /// The events of all surfaces of a cell.
 template <class D>
-HWY_INLINE void cell_events(D d, const LineLanes<D>& line, const CellData& cells, const Cell& cell,
+HWY_INLINE void cell_events(D d, const Scene& scene, const LineLanes<D>& line, const CellData& cells, const Cell& cell,
                             const Departures<D>* departures, Events<D>& events) {
   using Kind = LaneSurface::Kind;
   const auto nobody = hn::Ne(line.start, line.start);
   events.slack = certified ? hn::Max(line.slack, hn::Set(d, cell.slack)) : line.slack;
   events.flagged = nobody;
+  events.before = hn::Zero(BitsOf<D>());
   for (std::size_t i = 0; i < cell.slot_count; ++i) {
-    const std::uint32_t id = cells.slots[cell.first_slot + i].surface();
-    const LaneSurface& surface = cells.surfaces[id];
+    const Slot& surface = cells.slots[cell.first_slot + i];
+    const std::uint32_t id = surface.surface;
     const auto departing = departures != nullptr ? departing_from(d, *departures, id) : nobody;
     switch (surface.kind) {
       case Kind::plane_x:
@@ -380,7 +396,7 @@ HWY_INLINE void cell_events(D d, const LineLanes<D>& line, const CellData& cells
         sphere_events(d, line, surface, departing, departures, i, events);
         break;
       default:
-        quadric_events(d, line, surface, departing, departures, i, events);
+        quadric_events(d, line, scene.surfaces()[id], departing, departures, i, events);
     }
     if (cell.is_far) loosen_far_events(d, line, surface, departing, i, events);
   }

@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 /// tau of the crossing at which the surface rises or falls, as filtered_plane and filtered_quadric give it
 /// (line_filter.cpp). Precondition: that they are certain, which they are where lanes were.
 template <class D>
-HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, bool is_mixed,
+HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface,
                                    hn::Mask<D> rises, hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
@@ -27,7 +27,7 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
     is_second = is_open = hn::MaskFromVec(hn::Zero(d));
     return hn::Div(hn::Neg(value), dot(normal, line.direction));
   }
-  const QuadraticLanes<D> f = quadratic(d, line, k, is_mixed, surface.center);
+  const QuadraticLanes<D> f = quadratic(d, line, surface);
   const V zero = hn::Zero(d);
   const V root = hn::Sqrt(hn::Sub(hn::Mul(f.b, f.b), hn::Mul(f.a, f.c)));
   const V sum = hn::Neg(hn::Add(f.b, hn::CopySign(root, f.b)));
@@ -61,13 +61,13 @@ HWY_INLINE Triples<hn::Vec<D>> place_of(D d, const LineLanes<D>& line, const Fra
 
 /// The surface's gradient at a place, unit: gradient() and normalised().
 template <class D>
-HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const LaneSurface& lane, const Frame& frame,
-                                             const Triples<hn::Vec<D>>& p) {
+HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const Vector& plane_normal,
+                                             const Frame& frame, const Triples<hn::Vec<D>>& p) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto c = [&](std::size_t term) { return hn::Set(d, surface.local[term]); };
   if (surface.kind == SurfaceKind::plane)
-    return {hn::Set(d, lane.center[0]), hn::Set(d, lane.center[1]), hn::Set(d, lane.center[2])};
+    return {hn::Set(d, plane_normal.x), hn::Set(d, plane_normal.y), hn::Set(d, plane_normal.z)};
   const V to_frame = hn::Set(d, power_of_two(-frame.exponent));
   const auto local = [&](V x, double center, double own) {
     return hn::Sub(hn::Mul(hn::Sub(x, hn::Set(d, center)), to_frame), hn::Set(d, own));
@@ -93,13 +93,14 @@ template <class D>
 HWY_INLINE Owners<hn::Vec<BitsOf<D>>> owners_of(D, const CellData& cells, hn::Vec<BitsOf<D>> slot) {
   const BitsOf<D> bits;
   const hn::RebindToSigned<D> whole;
-  const auto offset = hn::BitCast(whole, hn::ShiftLeft<4>(slot));
-  static_assert(sizeof(Slot) == 16);
-  // A slot's two words.
-  const auto* words = reinterpret_cast<const std::uint64_t*>(cells.slots.data());
+  const auto offset = hn::BitCast(whole, hn::ShiftLeft<6>(slot));
+  static_assert(sizeof(Slot) == 64 && offsetof(Slot, leaf) == offsetof(Slot, surface) + 4 &&
+                offsetof(Slot, look) == offsetof(Slot, surface) + 8);
+  const auto* words = reinterpret_cast<const std::uint64_t*>(&cells.slots.data()->surface);
   const auto owner = hn::GatherOffset(bits, words, offset);
   const auto look = hn::GatherOffset(bits, words + 1, offset);
-  return {hn::And(owner, hn::Set(bits, 0xffffffffu)), hn::ShiftRight<32>(owner), look};
+  const auto low = hn::Set(bits, 0xffffffffu);
+  return {hn::And(owner, low), hn::ShiftRight<32>(owner), hn::And(look, low)};
 }
 
 /// What is told of a packet's hits.
@@ -132,21 +133,20 @@ HWY_INLINE void tell_hits(D d, const Scene& scene, const CellData& cells, const 
     const auto same = hn::And(rest, hn::RebindMask(d, hn::Eq(surfaces, hn::Set(bits, id))));
     rest = hn::AndNot(same, rest);
     const Surface& surface = scene.surfaces()[id];
-    const LaneSurface& lane = cells.surfaces[id];
     hn::Mask<D> second, is_open;
-    const V own = crossing_tau(d, line, surface, lane.is_mixed, rises, second, is_open);
+    const V own = crossing_tau(d, line, surface, rises, second, is_open);
     told.left = hn::Or(told.left, hn::And(same, is_open));
     told.second = hn::Or(told.second, hn::And(same, second));
     tau = hn::IfThenElse(same, own, tau);
     if (rounds) {
       V nearest;
-      const auto certain = nearest_t_lanes(d, line, surface, lane.is_mixed, own, nearest);
+      const auto certain = nearest_t_lanes(d, line, surface, own, nearest);
       told.unrounded = hn::Or(told.unrounded, hn::AndNot(certain, same));
       told.t = hn::IfThenElse(hn::And(same, certain), nearest, told.t);
     }
     if (!wants_faces) continue;
     const auto p = place_of(d, line, scene.frame(), own);
-    const auto n = unit_gradient(d, surface, lane, scene.frame(), p);
+    const auto n = unit_gradient(d, surface, cells.normals[id], scene.frame(), p);
     told.place = choose(same, p, told.place);
     told.normal = choose(same, n, told.normal);
   }

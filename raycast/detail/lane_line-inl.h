@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+namespace hn = csgcast::HWY_NAMESPACE::ops;
 using csgcast::HWY_NAMESPACE::biased_exponent;
 using csgcast::HWY_NAMESPACE::BitsOf;
 using csgcast::HWY_NAMESPACE::choose;

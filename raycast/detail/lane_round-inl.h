@@ -38,7 +38,7 @@ struct Residual {
 };
 
 template <class D>
-HWY_INLINE Residual<D> residual_at(D d, const LineLanes<D>& line, const Surface& surface, bool is_mixed,
+HWY_INLINE Residual<D> residual_at(D d, const LineLanes<D>& line, const Surface& surface,
                                    hn::Vec<D> tau) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
@@ -67,7 +67,7 @@ HWY_INLINE Residual<D> residual_at(D d, const LineLanes<D>& line, const Surface&
     gradient.x = hn::MulAdd(hn::Mul(two, c(Form::xx)), q[0].high, gradient.x);
     gradient.y = hn::MulAdd(hn::Mul(two, c(Form::yy)), q[1].high, gradient.y);
     gradient.z = hn::MulAdd(hn::Mul(two, c(Form::zz)), q[2].high, gradient.z);
-    if (is_mixed) {
+    if (surface.is_mixed) {
       add(Form::xy, product_of(d, q[0], q[1]));
       add(Form::xz, product_of(d, q[0], q[2]));
       add(Form::yz, product_of(d, q[1], q[2]));
@@ -83,13 +83,13 @@ HWY_INLINE Residual<D> residual_at(D d, const LineLanes<D>& line, const Surface&
 
 /// t of the crossing near tau, rounded to nearest; the lanes where that is certain.
 template <class D>
-HWY_INLINE hn::Mask<D> nearest_t_lanes(D d, const LineLanes<D>& line, const Surface& surface, bool is_mixed,
+HWY_INLINE hn::Mask<D> nearest_t_lanes(D d, const LineLanes<D>& line, const Surface& surface,
                                        hn::Vec<D> tau, hn::Vec<D>& t) {
   using V = hn::Vec<D>;
   constexpr double u = 0x1p-53;
   constexpr double uu = 0x1p-106;
   const auto set = [&](double value) { return hn::Set(d, value); };
-  const Residual<D> f = residual_at(d, line, surface, is_mixed, tau);
+  const Residual<D> f = residual_at(d, line, surface, tau);
   const V step = hn::Neg(hn::Div(f.value.high, f.slope));
   // The bounds of nearest_t.cpp; |direction| < 2 on each axis.
   const V bend = set(surface.second_degree);

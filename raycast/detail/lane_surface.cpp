@@ -36,11 +36,8 @@ LaneSurface plane(const Surface& surface, const CellForm* turned) {
   LaneSurface lane;
   const Vector n{k[Form::x], k[Form::y], k[Form::z]};
   const double w = k[Form::one];
-  const Vector normal = normalised(n);
-  const std::array<double, 3> unit{normal.x, normal.y, normal.z};
   if (turned != nullptr) {
     lane = nearly_square_plane(*turned);
-    lane.center = unit;
     if (lane.kind != LaneSurface::Kind::undecided) return lane;
   }
   for (std::size_t axis = 0; turned == nullptr && axis < 3; ++axis) {
@@ -48,7 +45,6 @@ LaneSurface plane(const Surface& surface, const CellForm* turned) {
     if (size != longest(n) || surface.first_degree != size) continue;
     lane.kind = static_cast<LaneSurface::Kind>(axis);
     lane.c = {-w / n[axis], n[axis] > 0 ? 1.0 : -1.0};
-    lane.center = unit;
     // Farther out the bounds would not hold, nor does anybody look there.
     if (!(std::fabs(lane.c[0]) < 1)) lane.kind = LaneSurface::Kind::undecided;
     return lane;
@@ -57,7 +53,6 @@ LaneSurface plane(const Surface& surface, const CellForm* turned) {
   const double slack = 4 * u * (264 * surface.first_degree + 12 * surface.constant);
   const double value_error = u * (160 * surface.first_degree + 12 * surface.constant);
   lane.c = {n.x, n.y, n.z, w, slack, value_error};
-  lane.center = unit;
   return lane;
 }
 
@@ -121,20 +116,9 @@ LaneSurface cylinder(const CellForm& form, bool is_turned, std::size_t axis) {
   return lane;
 }
 
-LaneSurface quadric(const Surface& surface) {
-  LaneSurface lane;
-  // Reach is counted from centers within the frame's cube.
-  if (!(longest(surface.center) < 0.75)) return lane;
-  lane.kind = LaneSurface::Kind::quadric;
-  lane.c = surface.local;
-  lane.center = {surface.center.x, surface.center.y, surface.center.z};
-  lane.second_degree = surface.second_degree;
-  lane.first_degree = surface.first_degree;
-  lane.constant = surface.constant;
-  return lane;
-}
+}  // namespace
 
-LaneSurface kind_of(const Surface& surface, const CellForm* turned) {
+LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned) {
   if (!surface.in_range) return {};
   if (surface.kind == SurfaceKind::plane) return plane(surface, turned);
   const LaneSurface round = sphere(surface);
@@ -144,15 +128,9 @@ LaneSurface kind_of(const Surface& surface, const CellForm* turned) {
     const LaneSurface lane = cylinder(form, turned != nullptr, axis);
     if (lane.kind != LaneSurface::Kind::undecided) return lane;
   }
-  return quadric(surface);
-}
-
-}  // namespace
-
-LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned) {
-  LaneSurface lane = kind_of(surface, turned);
-  const auto& k = surface.local;
-  lane.is_mixed = k[Form::xy] != 0 || k[Form::xz] != 0 || k[Form::yz] != 0;
+  LaneSurface lane;
+  // Reach is counted from centers within the frame's cube.
+  if (longest(surface.center) < 0.75) lane.kind = LaneSurface::Kind::quadric;
   return lane;
 }
 

@@ -21,17 +21,12 @@ struct LaneSurface {
     cylinder_y,
     cylinder_z,
     sphere,   ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
-    quadric,  ///< the form about its center, as in Surface
+    quadric,  ///< Surface has it
     undecided  ///< its doubles decide nothing
   };
 
-  Surface::Coefficients c{};
-  std::array<double, 3> center{};  ///< of a quadric; of a plane the unit normal, in the frame
-  double second_degree = 0;
-  double first_degree = 0;
-  double constant = 0;
+  std::array<double, 6> c{};
   Kind kind = Kind::undecided;
-  bool is_mixed = false;  ///< of a quadric: it has terms xy, xz or yz
 };
 
 /// Kinds are in order: planes first.

@@ -182,7 +182,7 @@ class Walk {
       return flag(cell.value ? hn::AndNot(now_inside_, active) : hn::And(now_inside_, active));
     }
     counts_.surface_tests += cell.slot_count;
-    cell_events(d, line_, cells_, cell, departures_, events_);
+    cell_events(d, scene_, line_, cells_, cell, departures_, events_);
     if constexpr (certified) {
       flag(hn::And(active, events_.flagged));
       if (cell.may_have_twins) flag(hn::And(active, twins(cell, from, to)));
@@ -238,15 +238,17 @@ class Walk {
 
   HWY_INLINE U state_at(const Cell& cell, V at) const {
     const Bits bits;
-    U state = hn::Zero(bits);
-    const auto add = [&](std::size_t i, M passed) {
-      const M positive = hn::Xor(passed, events_.positive_before[i]);
-      const U bit = hn::Set(bits, std::uint64_t{1} << i);
-      state = hn::Or(state, hn::IfThenElseZero(hn::RebindMask(bits, positive), bit));
+    U state = events_.before;
+    U bit = hn::Set(bits, 1);
+    const auto pass = [&](V event) {
+      state = hn::Xor(state, hn::IfThenElseZero(hn::RebindMask(bits, hn::Le(event, at)), bit));
     };
     std::size_t i = 0;
-    for (; i < cell.plane_count; ++i) add(i, hn::Le(events_.first[i], at));
-    for (; i < cell.slot_count; ++i) add(i, hn::Xor(hn::Le(events_.first[i], at), hn::Le(events_.second[i], at)));
+    for (; i < cell.plane_count; ++i, bit = hn::Add(bit, bit)) pass(events_.first[i]);
+    for (; i < cell.slot_count; ++i, bit = hn::Add(bit, bit)) {
+      pass(events_.first[i]);
+      pass(events_.second[i]);
+    }
     return state;
   }
 
@@ -359,16 +361,15 @@ class Walk {
       const std::uint64_t i = indices[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
       const M same = hn::And(rest, hn::RebindMask(d, hn::Eq(index, hn::Set(bits, i))));
       rest = hn::AndNot(same, rest);
-      const std::uint32_t id = cells_.slots[cell.first_slot + i].surface();
+      const std::uint32_t id = cells_.slots[cell.first_slot + i].surface;
       M second, is_open;
       const Surface& surface = scene_.surfaces()[id];
-      const bool is_mixed = cells_.surfaces[id].is_mixed;
-      const V tau = crossing_tau(d, line_, surface, is_mixed, rises, second, is_open);
+      const V tau = crossing_tau(d, line_, surface, rises, second, is_open);
       flag(hn::And(same, is_open));
       V own = hn::Mul(hn::Add(line_.shift, tau), line_.unit);
       if (rounds_) {
         V nearest;
-        const M certain = nearest_t_lanes(d, line_, surface, is_mixed, tau, nearest);
+        const M certain = nearest_t_lanes(d, line_, surface, tau, nearest);
         own = hn::IfThenElse(certain, nearest, own);
         unrounded_ = hn::Or(unrounded_, hn::AndNot(certain, same));
       }

@@ -237,7 +237,7 @@ LaneFunctions functions() {
 }
 
 LaneCode lane_code(std::string_view name) {
-  return {name, functions<hn::CappedTag<double, 8>>(), functions<hn::CappedTag<double, 1>>()};
+  return {name, functions<hn::CappedTag<double, 8>>(), functions<hn::Single<double>>()};
 }
 
 }  // namespace HWY_NAMESPACE
