@@ -32,6 +32,11 @@ struct Single {
 };
 
 template <class D>
+constexpr bool is_single = false;
+template <class Number>
+constexpr bool is_single<Single<Number>> = true;
+
+template <class D>
 struct TypesOf {
   using Vec = hh::Vec<D>;
   using Mask = hh::Mask<D>;

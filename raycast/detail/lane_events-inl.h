@@ -280,10 +280,12 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   const V sum = hn::IfThenElse(falls, hn::Sub(root, f.b), hn::Neg(hn::Add(f.b, root)));
   const V abs_sum = hn::Abs(sum);
   const V sum_error = hn::Add(error_b, hn::MulAdd(set(2 * u), abs_sum, hn::Div(d_error, root)));
-  const V at_near = hn::Div(f.c, sum);
-  const V at_far = hn::Div(sum, f.a);
-  const V near_off = hn::Div(hn::MulAdd(hn::Abs(at_near), sum_error, error_c), abs_sum);
-  const V far_off = hn::Div(hn::MulAdd(hn::Abs(at_far), error_a, sum_error), abs_a);
+  const V inverse_sum = hn::Div(set(1.0), sum);
+  const V inverse_a = hn::Div(set(1.0), f.a);
+  const V at_near = hn::Mul(f.c, inverse_sum);
+  const V at_far = hn::Mul(sum, inverse_a);
+  const V near_off = hn::Mul(hn::MulAdd(hn::Abs(at_near), sum_error, error_c), hn::Abs(inverse_sum));
+  const V far_off = hn::Mul(hn::MulAdd(hn::Abs(at_far), error_a, sum_error), hn::Abs(inverse_a));
   // Beyond 4 from the closest approach nothing can matter.
   const V reach = set(4.0);
   const auto far_is_out = hn::Gt(hn::Sub(abs_sum, sum_error), hn::Mul(set(4.01), hn::Add(abs_a, error_a)));
@@ -323,10 +325,10 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   widen(events, hn::IfThenElseZero(hn::AndNot(departing, hn::AndNot(has_none, is_sound)), slack));
   flag(events, hn::AndNot(departing, is_open));
   // From the closest approach, where f' = 2 b, the two roots lie as far apart on either side of -b / a.
-  const V ratio = hn::Div(f.b, f.a);
+  const V ratio = hn::Mul(f.b, inverse_a);
   const V middle = hn::Sub(f.origin, ratio);
   const V other = hn::Sub(hn::Add(middle, middle), line.start);
-  const V ratio_off = hn::Div(hn::MulAdd(hn::Abs(ratio), error_a, error_b), abs_a);
+  const V ratio_off = hn::Mul(hn::MulAdd(hn::Abs(ratio), error_a, error_b), hn::Abs(inverse_a));
   const V other_slack = hn::MulAdd(set(16.0), ratio_off, set(512 * u));
   const auto leaves =
       hn::Or(hn::And(a_is_positive, departures->positive), hn::AndNot(a_is_positive, hn::Not(departures->positive)));

@@ -48,8 +48,12 @@ class Walk {
       live_ = hn::AndNot(far_out, live_);
       clip(from, to);
     }
-    // Lanes of one direction's signs at a time: these share the order of the cells.
     M waiting = hn::And(live_, hn::Le(from, to));
+    if constexpr (hn::is_single<D>) {
+      if (waiting) descend(from, to, signs_of(0));
+      return;
+    }
+    // Lanes of one direction's signs at a time: these share the order of the cells.
     while (!hn::AllFalse(d, waiting)) {
       const std::size_t leader = static_cast<std::size_t>(hn::FindFirstTrue(d, waiting));
       const unsigned signs = signs_of(leader);
@@ -82,7 +86,7 @@ class Walk {
     for (unsigned axis = 0; axis < 3; ++axis) {
       HWY_ALIGN double values[16];
       hn::Store(line_.axis_inverse[axis], d, values);
-      signs |= values[lane] < 0 ? 1u << axis : 0u;
+      signs |= static_cast<unsigned>(values[lane] < 0) << axis;
     }
     return signs;
   }
@@ -99,6 +103,7 @@ class Walk {
 
   HWY_INLINE void flag(M lanes) {
     if constexpr (!certified) return;
+    if (hn::AllFalse(D(), lanes)) return;
     flagged_ = hn::Or(flagged_, lanes);
     live_ = hn::AndNot(lanes, live_);
   }
