@@ -65,4 +65,9 @@ Ray Camera::ray(double x, double y) const {
   return {f.eye, normalised(f.forward + offset)};
 }
 
+bool Camera::rays_are_in_range() const {
+  const double reach = longest(as_vector(frame_.eye)) + frame_.pixel * (frame_.width + frame_.height);
+  return reach < 0.5 * Ray::greatest;
+}
+
 }  // namespace csgcast

@@ -35,6 +35,9 @@ class Camera {
   /// The width of a pixel in the middle of the picture, at a distance along the ray.
   double footprint(double distance) const { return frame_.parallel ? frame_.pixel : frame_.pixel * distance; }
 
+  /// Whether all rays are sure to be within Ray::in_range.
+  bool rays_are_in_range() const;
+
   const CameraFrame& frame() const { return frame_; }
 
  private:

@@ -50,6 +50,11 @@ void check(const RenderOptions& options) {
     throw Error(ErrorCode::usage, {}, "adaptive samples in a mode other than shaded",
                 "pixels are compared by their light", "take regular ones");
   }
+  const auto sets = PacketCaster::instruction_sets();
+  if (!options.instructions.empty() && std::find(sets.begin(), sets.end(), options.instructions) == sets.end()) {
+    throw Error(ErrorCode::usage, {}, "no instruction set is called " + options.instructions,
+                "this machine has others", "ask PacketCaster::instruction_sets()");
+  }
 }
 
 // Samples a pixel along each axis.
@@ -221,16 +226,18 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   Threads threads(options);
   const auto before_cells = Clock::now();
   std::optional<Cells> cells;
-  const bool suits_packets = options.mode == Mode::shaded && detail::PacketTracer::suits(scene, view, camera);
+  const bool suits_packets = options.mode == Mode::shaded ? detail::PacketTracer::suits(scene, view, camera)
+                                                          : camera.rays_are_in_range();
   if (options.engine == Engine::packets && suits_packets) threads.run([&] { cells.emplace(scene); });
   // What is there before the first ray: memory for the picture, and the code for this machine.
   Film film(options.width, options.height, content(options.mode));
-  detail::shading_code();
+  detail::shading_code(options.instructions);
   const auto start = Clock::now();
   const double cpu_start = cpu_seconds();
   const int grid = grid_of(options);
   const Sampling sampling = grid > 1 ? options.sampling : Sampling::regular;
-  const detail::Job job{scene, view, camera, options.mode, grid, sampling, cells ? &*cells : nullptr};
+  const detail::Job job{scene, view, camera, options.mode, grid, sampling, cells ? &*cells : nullptr,
+                        options.instructions};
   Workers workers(threads, job);
   const bool adaptive = sampling == Sampling::adaptive;
   adaptive ? fill_adaptively(workers, film, options.progress) : fill(workers, film, options.progress);

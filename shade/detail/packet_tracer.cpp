@@ -11,13 +11,17 @@
 namespace csgcast::detail {
 
 bool PacketTracer::suits(const Scene& scene, const View& view, const Camera& camera) {
-  const CameraFrame& frame = camera.frame();
-  const double reach = longest(as_vector(frame.eye)) + frame.pixel * (frame.width + frame.height);
-  return !scene.transmits() && view.settings.max_depth > 0 && reach < 0.5 * Ray::greatest;
+  return !scene.transmits() && view.settings.max_depth > 0 && camera.rays_are_in_range();
 }
 
-PacketTracer::PacketTracer(const Cells& cells, const View& view, const Camera& camera, Tracer& tracer)
-    : scene_(cells.scene()), view_(view), camera_(camera), tracer_(tracer), caster_(cells) {
+PacketTracer::PacketTracer(const Cells& cells, const View& view, const Camera& camera, Tracer& tracer,
+                           std::string_view instructions)
+    : code_(shading_code(instructions)),
+      scene_(cells.scene()),
+      view_(view),
+      camera_(camera),
+      tracer_(tracer),
+      caster_(cells, PacketCaster::Width::packet, instructions) {
   for (const Material& look : scene_.looks()) has_mirrors_ = has_mirrors_ || look.reflection > 0;
 }
 
@@ -47,7 +51,7 @@ void PacketTracer::trace(std::span<const double> x, std::span<const double> y, s
   resize(x.size());
   depth_ = 0;
   count_ = x.size();
-  shading_code().camera_rays(camera_.frame(), count_, x.data(), y.data(), pointers(origin_).data(),
+  code_.camera_rays(camera_.frame(), count_, x.data(), y.data(), pointers(origin_).data(),
                              pointers(direction_).data());
   std::iota(ray_sample_.begin(), ray_sample_.begin() + static_cast<std::ptrdiff_t>(count_), 0u);
   for (; count_ > 0; ++depth_) {
@@ -133,7 +137,7 @@ void PacketTracer::shade(std::span<Rgb> colors) {
                              {normal_[0].data(), normal_[1].data(), normal_[2].data()},
                              {direction_[0].data(), direction_[1].data(), direction_[2].data()},
                              look_.data()};
-  shading_code().unlit(scene_.looks().data(), points, pointers(color_).data());
+  code_.unlit(scene_.looks().data(), points, pointers(color_).data());
   for (const LightDescription& light : view_.lights) add_light(light, points);
   for (std::size_t i = 0; i < count_; ++i) {
     if (is_plain_[i] == 0) continue;
@@ -187,7 +191,7 @@ void PacketTracer::add_light(const LightDescription& light, const ShadingPoints&
   std::copy_n(pointers(path_).begin(), 3, shadows.path);
   std::copy_n(pointers(light_).begin(), 3, shadows.light);
   shadows.sample = sample_.data();
-  shading_code().light(scene_.looks().data(), light, points, shadows);
+  code_.light(scene_.looks().data(), light, points, shadows);
   report_.skipped.shadow_facing_away += shadows.facing_away;
   report_.skipped.shadow_without_effect += shadows.without_effect;
   report_.rays.shadow += shadows.count;

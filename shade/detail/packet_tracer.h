@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "raycast/packet_caster.h"
@@ -14,6 +15,7 @@
 
 namespace csgcast::detail {
 
+struct ShadingCode;
 struct ShadingPoints;
 
 /// Shades many samples of a picture at once, in lanes: the same light as Tracer's, bit for bit. All rays of one depth
@@ -25,7 +27,8 @@ class PacketTracer {
   static bool suits(const Scene& scene, const View& view, const Camera& camera);
 
   /// All must outlive the packet tracer. Precondition: suits().
-  PacketTracer(const Cells& cells, const View& view, const Camera& camera, Tracer& tracer);
+  PacketTracer(const Cells& cells, const View& view, const Camera& camera, Tracer& tracer,
+               std::string_view instructions);
 
   /// The light at places (x, y) of the picture. As many colours as places; neighbours should stand together.
   void trace(std::span<const double> x, std::span<const double> y, std::span<Rgb> colors);
@@ -48,6 +51,7 @@ class PacketTracer {
   void add_light(const LightDescription& light, const ShadingPoints& points);
   std::array<double*, 3> pointers(Vectors& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
 
+  const ShadingCode& code_;
   const Scene& scene_;
   const View& view_;
   const Camera& camera_;

@@ -2,8 +2,11 @@
 // Compiled once for each instruction set, by including itself.
 #include "shade/detail/shading_lanes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
+#include <vector>
 
 #include "shade/phong.h"
 
@@ -212,11 +215,28 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace csgcast::detail {
 
-HWY_EXPORT(code);
-
-const ShadingCode& shading_code() {
-  static const ShadingCode best = HWY_DYNAMIC_DISPATCH(code)();
-  return best;
+const ShadingCode& shading_code(std::string_view instructions) {
+  struct Named {
+    std::string_view name;
+    ShadingCode code;
+  };
+  static const std::vector<Named> codes = [] {
+    std::vector<Named> found;
+    const auto supported = hwy::SupportedTargets();
+#if HWY_TARGETS & HWY_AVX3
+    if ((supported & HWY_AVX3) != 0) found.push_back({"AVX-512", N_AVX3::code()});
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    if ((supported & HWY_AVX2) != 0) found.push_back({"AVX2", N_AVX2::code()});
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    if ((supported & HWY_SSE4) != 0) found.push_back({"SSE4", N_SSE4::code()});
+#endif
+    found.push_back({"baseline", HWY_STATIC_DISPATCH(code)()});
+    return found;
+  }();
+  const auto named = std::find_if(codes.begin(), codes.end(), [&](const Named& c) { return c.name == instructions; });
+  return named != codes.end() ? named->code : codes.front().code;
 }
 
 }  // namespace csgcast::detail

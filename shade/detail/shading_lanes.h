@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "csg/look.h"
 #include "csg/scene_description.h"
@@ -44,7 +45,7 @@ struct ShadingCode {
   void (*light)(const Material* looks, const LightDescription& light, const ShadingPoints& points, ShadowRays& rays);
 };
 
-/// The best that this machine can run.
-const ShadingCode& shading_code();
+/// Of one of PacketCaster::instruction_sets(); by default of the best that this machine has.
+const ShadingCode& shading_code(std::string_view instructions = {});
 
 }  // namespace csgcast::detail

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "raycast/caster.h"
 #include "raycast/hit.h"
 #include "raycast/ray.h"
@@ -19,8 +21,15 @@ struct Sight {
   LookId look;
 };
 
-/// The first boundary of the whole solid on the ray.
+/// `out`: the face's normal out of the solid. `direction`: the ray's.
+Sight sight_of(double t, Point point, Vector out, Vector direction, SurfaceId surface, LeafId leaf, PartId part,
+               LookId look);
+
+/// The first boundary of the whole solid on the ray. t: Rounding::close.
 Sight look_along(Caster& caster, const Ray& ray);
+
+/// The sum of the intervals' lengths.
+double total_length(std::span<const Interval> intervals);
 
 /// How long the ray is inside the solid; infinite if it stays there.
 double length_inside(Caster& caster, const Ray& ray, IntervalList& scratch);

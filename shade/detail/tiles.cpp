@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "shade/detail/contrast.h"
 #include "shade/detail/edges.h"
@@ -54,12 +55,18 @@ TileRenderer::TileRenderer(const Job& job)
       caster_(job.scene),
       tracer_(caster_, job.view),
       outline_(job.camera.frame(), job.scene.node(job.scene.root()).box) {
-  if (job.cells != nullptr) packets_.emplace(*job.cells, job.view, job.camera, tracer_);
+  if (job.cells == nullptr) return;
+  if (job.mode == Mode::shaded) {
+    packets_.emplace(*job.cells, job.view, job.camera, tracer_, job.instructions);
+  } else {
+    sight_packets_.emplace(*job.cells, job.camera, job.instructions);
+  }
 }
 
 RenderReport TileRenderer::report() const {
   RenderReport result = tracer_.report();
   if (packets_) result += packets_->report();
+  if (sight_packets_) result += sight_packets_->report();
   result.skipped.primary_beyond_bounds += beyond_bounds_;
   result.rays.primary += primary_;
   result.refined_pixels += refined_;
@@ -203,20 +210,57 @@ void TileRenderer::place_all_samples(std::span<const Pixel> pixels) {
 
 void TileRenderer::measure(const Tile& tile, Film& film) {
   const int k = job_.grid;
-  each_pixel(tile, [&](int x, int y) {
-    double sum = 0;
-    for (int i = 0; i < k * k; ++i) {
-      sum += length_inside(caster_, sample_ray(k * x + i % k, k * y + i / k, k), intervals_);
-      ++primary_;
+  const auto samples = static_cast<std::size_t>(k * k);
+  const int columns = k * (tile.x1 - tile.x0);
+  // A row of pixels at a time: there may be many samples.
+  lengths_.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(k));
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    const Tile rectangle{k * tile.x0, k * y, k * tile.x1, k * y + k};
+    const auto place = [&](int column, int row) {  // pixel by pixel
+      const int across = column - rectangle.x0;
+      return (across / k * k + row - rectangle.y0) * k + across % k;
+    };
+    if (sight_packets_) {
+      samples_.clear();
+      append(rectangle, k, samples_, place);
+      sight_packets_->measure(samples_, lengths_);
+    } else {
+      each_pixel(rectangle, [&](int column, int row) {
+        const Ray ray = sample_ray(column, row, k);
+        lengths_[static_cast<std::size_t>(place(column, row))] = length_inside(caster_, ray, intervals_);
+        ++primary_;
+      });
     }
-    film.value(x, y) = static_cast<float>(sum / (k * k));
-  });
+    const double* length = lengths_.data();
+    for (int x = tile.x0; x < tile.x1; ++x, length += samples) {
+      const double sum = std::accumulate(length, length + samples, 0.0);
+      film.value(x, y) = static_cast<float>(sum / static_cast<double>(samples));
+    }
+  }
+}
+
+// What all samples of a rectangle of them see, row by row.
+void TileRenderer::see(const Tile& rectangle, int k) {
+  const int columns = rectangle.x1 - rectangle.x0;
+  const int rows = rectangle.y1 - rectangle.y0;
+  sights_.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  if (sight_packets_) {
+    samples_.clear();
+    append(rectangle, k, samples_,
+           [&](int column, int row) { return (row - rectangle.y0) * columns + (column - rectangle.x0); });
+    sight_packets_->look(samples_, sights_);
+    return;
+  }
+  Sight* sight = sights_.data();
+  each_pixel(rectangle, [&](int column, int row) { *sight++ = look_along(caster_, sample_ray(column, row, k)); });
+  primary_ += sights_.size();
 }
 
 void TileRenderer::show_sights(const Tile& tile, Film& film) {
+  see(tile, 1);
+  const Sight* next = sights_.data();
   each_pixel(tile, [&](int x, int y) {
-    const Sight sight = look_along(caster_, job_.camera.ray(x + 0.5, y + 0.5));
-    ++primary_;
+    const Sight& sight = *next++;
     const bool something = sight.leaf.valid();
     if (job_.mode == Mode::depth) {
       film.value(x, y) = something ? static_cast<float>(sight.t) : std::numeric_limits<float>::infinity();
@@ -234,14 +278,7 @@ void TileRenderer::show_sights(const Tile& tile, Film& film) {
 void TileRenderer::draw_edges(const Tile& tile, Film& film) {
   const int k = job_.grid;
   const int columns = k * (tile.x1 - tile.x0 + 1);
-  const int rows = k * (tile.y1 - tile.y0 + 1);
-  sights_.clear();
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      sights_.push_back(look_along(caster_, sample_ray(k * tile.x0 + column, k * tile.y0 + row, k)));
-    }
-  }
-  primary_ += sights_.size();
+  see({k * tile.x0, k * tile.y0, k * (tile.x1 + 1), k * (tile.y1 + 1)}, k);
   const std::size_t stride = static_cast<std::size_t>(columns);
   each_pixel(tile, [&](int x, int y) {
     const std::size_t first =

@@ -3,11 +3,13 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "raycast/caster.h"
 #include "shade/camera.h"
 #include "shade/detail/outline.h"
+#include "shade/detail/packet_sights.h"
 #include "shade/detail/packet_tracer.h"
 #include "shade/detail/refinement.h"
 #include "shade/detail/samples.h"
@@ -28,6 +30,7 @@ struct Job {
   int grid;  ///< k of k x k samples a pixel
   Sampling sampling;
   const Cells* cells;  ///< null: rays go one by one
+  std::string_view instructions;
 };
 
 /// The working memory of one thread.
@@ -53,6 +56,7 @@ class TileRenderer {
   void trace_samples();
   void trace_all_samples(std::span<const Pixel> pixels);
   void place_all_samples(std::span<const Pixel> pixels);
+  void see(const Tile& rectangle, int k);
   void draw_edges(const Tile& tile, Film& film);
   void measure(const Tile& tile, Film& film);
   void show_sights(const Tile& tile, Film& film);
@@ -63,13 +67,15 @@ class TileRenderer {
   Job job_;
   Caster caster_;
   Tracer tracer_;
-  std::optional<PacketTracer> packets_;
+  std::optional<PacketTracer> packets_;       // of shaded pictures
+  std::optional<PacketSights> sight_packets_;  // of others
   Outline outline_;  // of the solid; beyond it packets see the background
   std::uint64_t beyond_bounds_ = 0;
   std::uint64_t primary_ = 0;
   std::uint64_t refined_ = 0;
   IntervalList intervals_;
-  std::vector<Sight> sights_;
+  std::vector<Sight> sights_;    // by place
+  std::vector<double> lengths_;  // by place
   std::vector<Pixel> pixels_;
   Samples samples_;
   std::vector<Rgb> traced_;  // by sample

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "csg/text/builder.h"
 #include "csg/text/reader.h"
+#include "raycast/packet_caster.h"
 #include "shade/render.h"
 #include "tests/support/catch.h"
 #include "tests/support/examples.h"
@@ -40,6 +41,42 @@ TEST_CASE("packets make the same picture as rays one by one, bit for bit, on any
       CHECK(report.skipped.shadow_without_effect == one_by_one.skipped.shadow_without_effect);
     }
   }
+}
+
+TEST_CASE("pictures of every kind are the same bit for bit by packets of every instruction set and by single rays") {
+  for (const std::string& name : test::example_names()) {
+    const SceneDescription description = test::example(name);
+    const Scene scene = compile(description.solid, Welding::derived());
+    const View view = make_view(description, scene, 73.0 / 58);
+    for (const Mode mode : {Mode::shaded, Mode::edges, Mode::xray, Mode::depth, Mode::normal, Mode::id}) {
+      RenderOptions options;
+      options.width = 73;
+      options.height = 58;
+      options.mode = mode;
+      options.samples = mode == Mode::edges ? 4 : 1;
+      options.threads = 2;
+      options.engine = Engine::scalar;
+      RenderReport one_by_one;
+      const Film expected = render(scene, view, options, &one_by_one);
+      options.engine = Engine::packets;
+      for (const std::string_view instructions : PacketCaster::instruction_sets()) {
+        INFO(name << " mode " << static_cast<int>(mode) << ' ' << instructions);
+        options.instructions = instructions;
+        RenderReport report;
+        CHECK(render(scene, view, options, &report).values() == expected.values());
+        CHECK(report.rays.primary + report.skipped.primary_beyond_bounds == one_by_one.rays.primary);
+        CHECK((mode == Mode::shaded || report.packets.rays == report.rays.primary));
+      }
+    }
+  }
+}
+
+TEST_CASE("a picture is not made for instructions that no machine has") {
+  const SceneDescription description = test::example("die");
+  const Scene scene = compile(description.solid);
+  RenderOptions options;
+  options.instructions = "AVX-1024";
+  CHECK_THROWS_AS(render(scene, make_view(description, scene, 4.0 / 3), options), Error);
 }
 
 TEST_CASE("mirrors, cuts and eyes inside solids look the same in packets, at any depth of reflection") {
