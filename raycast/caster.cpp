@@ -55,6 +55,8 @@ std::optional<Hit> Caster::first_hit(NodeId node, Span span, Rounding rounding) 
 
 Crossing Caster::reported(const Crossing& crossing) { return state_->cache.reported(crossing); }
 
+std::weak_ordering Caster::order(const Crossing& a, const Crossing& b) { return state_->cache.order(a, b); }
+
 bool Caster::any_hit(NodeId node, Span span) {
   State& state = *state_;
   for (const Interval& interval : state.evaluator.evaluate(node, span, detail::Want::any)) {

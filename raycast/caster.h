@@ -20,16 +20,6 @@ struct Departure {
   Sense side = Sense::positive;
 };
 
-/// A change of medium along a ray: what the ray is in before and after. A region is not valid where there is no solid,
-/// or an opaque one.
-struct Interface {
-  Hit hit;          ///< the boundary of the layer that begins or ends here
-  RegionId before;  ///< the transmitting region on this side
-  RegionId after;   ///< the transmitting region on the far side
-  bool into_opaque = false;
-  NodeId node;  ///< the node whose boundary the hit is: ask attribute() with it
-};
-
 /// Which double stands for a crossing's exact t.
 enum class Rounding : std::uint8_t {
   nearest,  ///< the nearest one
@@ -81,6 +71,9 @@ class Caster {
 
   /// A crossing of the present ray with the t to report, the nearest double.
   Crossing reported(const Crossing& crossing);
+
+  /// Which of two crossings of the present ray comes first; equivalent if they tie.
+  std::weak_ordering order(const Crossing& a, const Crossing& b);
 
   /// For scenes that transmit: the changes of medium in the span, in ascending order, ended by the first one into an
   /// opaque solid. Where layers overlap the first in file order wins; layers of one look side by side are one medium.

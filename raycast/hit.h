@@ -24,6 +24,12 @@ struct Interval {
   Crossing exit;
 };
 
+/// Whose face an end of an interval is, and what that shows; neither is valid where no surface makes the end.
+struct EndFace {
+  LeafId leaf;
+  LookId look;
+};
+
 /// Sorted, disjoint, non-touching intervals.
 using IntervalList = std::vector<Interval>;
 
@@ -33,6 +39,16 @@ enum class Passage : std::uint8_t { entry, exit };
 struct Hit {
   Crossing crossing;
   Passage passage = Passage::entry;
+};
+
+/// A change of medium along a ray: what the ray is in before and after. A region is not valid where there is no solid,
+/// or an opaque one.
+struct Interface {
+  Hit hit;          ///< the boundary of the layer that begins or ends here
+  RegionId before;  ///< the transmitting region on this side
+  RegionId after;   ///< the transmitting region on the far side
+  bool into_opaque = false;
+  NodeId node;  ///< the node whose boundary the hit is: ask attribute() with it
 };
 
 /// The side of a surface f(p) = 0: where its canonical form is negative, or where it is positive.

@@ -54,6 +54,10 @@ RayArrays part(RayArrays rays, std::size_t begin, std::size_t count) {
     rays.direction[axis] += begin;
   }
   if (rays.end != nullptr) rays.end += begin;
+  if (rays.departure != nullptr) {
+    rays.departure += begin;
+    rays.departs_positive += begin;
+  }
   return rays;
 }
 
@@ -113,9 +117,30 @@ struct PacketCaster::State {
     return arrays;
   }
 
+  // What a ray that lanes left meets first, by the caster, which has begun it then.
+  std::optional<Hit> tell_left(const RayArrays& rays, std::size_t i, const HitArrays& hits, Rounding rounding) {
+    begin(caster, rays, i);
+    const Span span = span_of(rays, i);
+    const std::optional<Hit> hit = caster.first_hit(cells.node(), span, rounding);
+    set_hit(hits, i, hit);
+    if (hits.is_inside != nullptr) {
+      const bool is_inside = hit ? hit->passage == Passage::exit : caster.any_hit(cells.node(), span);
+      hits.is_inside[i] = is_inside ? 1 : 0;
+    }
+    return hit;
+  }
+
+  // Whose face an end of the present ray's list is.
+  EndFace face_of(const Crossing& crossing, Passage passage) {
+    if (!crossing.surface.valid()) return {};
+    const Attribution face = caster.attribute(cells.node(), {crossing, passage});
+    return {face.leaf, face.look};
+  }
+
   // Lists of rays that lanes left have none yet: they are put in, from the last one on. `base`: how many rays the batch
   // had before.
-  void insert_left(const RayArrays& rays, std::size_t base, std::size_t left_before, IntervalBatch& batch) {
+  void insert_left(const RayArrays& rays, std::size_t base, std::size_t left_before, IntervalBatch& batch,
+                   bool wants_faces) {
     for (std::size_t k = left.size(); k-- > left_before;) {
       const std::size_t i = left[k];
       begin(caster, rays, i);
@@ -123,6 +148,24 @@ struct PacketCaster::State {
       const auto at = static_cast<std::ptrdiff_t>(batch.offsets[base + i]);
       batch.intervals.insert(batch.intervals.begin() + at, list.begin(), list.end());
       for (std::size_t ray = base + i; ray < base + rays.count; ++ray) batch.offsets[ray + 1] += list.size();
+      if (wants_faces) batch.faces.insert(batch.faces.begin() + 2 * at, 2 * list.size(), EndFace());
+    }
+  }
+
+  // The faces that lanes could not tell, or that are of rays they left.
+  void tell_faces(const RayArrays& rays, std::size_t base, IntervalBatch& batch) {
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      bool is_begun = false;
+      for (std::size_t end = 2 * batch.offsets[base + i]; end < 2 * batch.offsets[base + i + 1]; ++end) {
+        const Interval& interval = batch.intervals[end / 2];
+        const bool enters = end % 2 == 0;
+        const Crossing& crossing = enters ? interval.entry : interval.exit;
+        EndFace& face = batch.faces[end];
+        if (!crossing.surface.valid() || (face.leaf.valid() && face.look.valid())) continue;
+        if (!is_begun) begin(caster, rays, i);
+        is_begun = true;
+        face = face_of(crossing, enters ? Passage::entry : Passage::exit);
+      }
     }
   }
 
@@ -139,16 +182,35 @@ struct PacketCaster::State {
   }
 
   // Adds the lists of some rays to the batch.
-  void add(const RayArrays& rays, std::size_t base, IntervalBatch& batch, Rounding rounding) {
+  void add(const RayArrays& rays, std::size_t base, IntervalBatch& batch, Rounding rounding, bool wants_faces) {
     batch.offsets.resize(base + rays.count + 1);
     const std::size_t left_before = left.size();
     unrounded.clear();
-    const detail::LaneLists lists{&batch.intervals, batch.offsets.data() + base + 1, &left,
-                                  rounding == Rounding::nearest, &unrounded};
+    const detail::LaneLists lists{.intervals = &batch.intervals,
+                                  .faces = wants_faces ? &batch.faces : nullptr,
+                                  .ends = batch.offsets.data() + base + 1,
+                                  .left = &left,
+                                  .rounds = rounding == Rounding::nearest,
+                                  .unrounded = &unrounded};
     code.lists(cells.scene(), cells.data(), rays, lists, counts);
     round(rays, base, batch);
-    insert_left(rays, base, left_before, batch);
+    insert_left(rays, base, left_before, batch, wants_faces);
+    if (wants_faces) tell_faces(rays, base, batch);
     for (std::size_t k = left_before; k < left.size(); ++k) left[k] += static_cast<std::uint32_t>(base);
+  }
+
+  void fill(const RayArrays& rays, IntervalBatch& batch, Rounding rounding, bool wants_faces) {
+    clear(batch);
+    // In pieces: what is put in between (insert_left) moves but little.
+    for (std::size_t begin = 0; begin < rays.count; begin += rays_at_once)
+      add(part(rays, begin, std::min(rays_at_once, rays.count - begin)), begin, batch, rounding, wants_faces);
+  }
+
+  void clear(IntervalBatch& batch) {
+    batch.intervals.clear();
+    batch.faces.clear();
+    batch.offsets.assign(1, 0);
+    left.clear();
   }
 
   const Cells& cells;
@@ -195,10 +257,7 @@ void PacketCaster::first_hits(const RayArrays& rays, const HitArrays& hits, Roun
     begin(state.caster, rays, i);
     hits.t[i] = state.caster.reported({hits.t[i], SurfaceId(hits.surface[i]), hits.root[i]}).t;
   }
-  for (const std::uint32_t i : state.left) {
-    begin(state.caster, rays, i);
-    set_hit(hits, i, state.caster.first_hit(state.cells.node(), span_of(rays, i), rounding));
-  }
+  for (const std::uint32_t i : state.left) state.tell_left(rays, i, hits, rounding);
 }
 
 void PacketCaster::first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding) {
@@ -230,20 +289,16 @@ void PacketCaster::any_hits(std::span<const Ray> rays, std::span<std::uint8_t> h
 }
 
 void PacketCaster::intervals(const RayArrays& rays, IntervalBatch& batch, Rounding rounding) {
-  State& state = *state_;
-  batch.intervals.clear();
-  batch.offsets.assign(1, 0);
-  state.left.clear();
-  // In pieces: what is put in between (insert_left) moves but little.
-  for (std::size_t begin = 0; begin < rays.count; begin += rays_at_once)
-    state.add(part(rays, begin, std::min(rays_at_once, rays.count - begin)), begin, batch, rounding);
+  state_->fill(rays, batch, rounding, false);
+}
+
+void PacketCaster::interval_faces(const RayArrays& rays, IntervalBatch& batch, Rounding rounding) {
+  state_->fill(rays, batch, rounding, true);
 }
 
 void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span, Rounding rounding) {
   State& state = *state_;
-  batch.intervals.clear();
-  batch.offsets.assign(1, 0);
-  state.left.clear();
+  state.clear(batch);
   const bool fits_lanes = (span.from == 0 || span.from == -HUGE_VAL) && span.to > span.from;
   std::array<double, rays_at_once> end;
   end.fill(span.to);
@@ -252,7 +307,7 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
     some.whole_line = span.from != 0;
     some.end = span.to == HUGE_VAL ? nullptr : end.data();
     if (fits_lanes) {
-      state.add(some, begin, batch, rounding);
+      state.add(some, begin, batch, rounding, false);
       continue;
     }
     for (std::size_t i = begin; i < begin + some.count; ++i) {
@@ -290,9 +345,7 @@ void PacketCaster::first_faces(const RayArrays& rays, const FaceArrays& faces) {
     if (faces.leaf != nullptr) faces.leaf[i] = face.leaf.index();
   }
   for (const std::uint32_t i : state.left) {
-    begin(state.caster, rays, i);
-    const std::optional<Hit> hit = state.caster.first_hit(state.cells.node(), span_of(rays, i), Rounding::close);
-    set_hit(faces, i, hit);
+    const std::optional<Hit> hit = state.tell_left(rays, i, faces, Rounding::close);
     if (hit) set_face(faces, i, state.caster.attribute(state.cells.node(), *hit));
   }
 }

@@ -18,6 +18,7 @@ namespace csgcast {
 /// The interval lists of many rays: those of ray i are intervals[offsets[i]] to intervals[offsets[i + 1]], exclusive.
 struct IntervalBatch {
   std::vector<Interval> intervals;
+  std::vector<EndFace> faces;        ///< of the entry and the exit of each interval; empty if they were not asked for
   std::vector<std::size_t> offsets;  ///< rays + 1
 
   std::span<const Interval> of(std::size_t ray) const {
@@ -50,8 +51,10 @@ class PacketCaster {
   void first_hits(const RayArrays& rays, const HitArrays& hits, Rounding rounding = Rounding::nearest);
   /// Whether each ray meets the inside of the solid: Caster::any_hit. 1 or 0, as many as rays.
   void any_hits(const RayArrays& rays, std::uint8_t* hits);
-  /// All intervals of each ray: Caster::intervals. Overwrites the batch. Rays do not depart from surfaces.
+  /// All intervals of each ray: Caster::intervals. Overwrites the batch.
   void intervals(const RayArrays& rays, IntervalBatch& batch, Rounding rounding = Rounding::nearest);
+  /// And the faces at their ends: the leaf and the look that Caster::attribute tells.
+  void interval_faces(const RayArrays& rays, IntervalBatch& batch, Rounding rounding = Rounding::nearest);
   /// What Caster::first_hit and attribute say, for pictures. t: Rounding::close.
   void first_faces(const RayArrays& rays, const FaceArrays& faces);
 

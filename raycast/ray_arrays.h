@@ -25,6 +25,7 @@ struct HitArrays {
   double* t = nullptr;               ///< Crossing::t
   std::uint32_t* surface = nullptr;  ///< SurfaceId
   std::uint8_t* root = nullptr;      ///< Crossing::root; may be null where t is not rounded
+  std::uint8_t* is_inside = nullptr;  ///< whether the ray starts inside the solid; may be null
 };
 
 /// And the faces there. `leaf` may be null: then it is not asked for.

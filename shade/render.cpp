@@ -229,6 +229,9 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   const bool suits_packets = options.mode == Mode::shaded ? detail::PacketTracer::suits(scene, view, camera)
                                                           : camera.rays_are_in_range();
   if (options.engine == Engine::packets && suits_packets) threads.run([&] { cells.emplace(scene); });
+  std::optional<LayerCells> layer_cells;
+  const bool suits_layers = options.mode == Mode::shaded && LayerCells::suits(scene) && view.settings.max_depth > 0;
+  if (options.engine == Engine::packets && suits_layers) threads.run([&] { layer_cells.emplace(scene); });
   // What is there before the first ray: memory for the picture, and the code for this machine.
   Film film(options.width, options.height, content(options.mode));
   detail::shading_code(options.instructions);
@@ -236,8 +239,15 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   const double cpu_start = cpu_seconds();
   const int grid = grid_of(options);
   const Sampling sampling = grid > 1 ? options.sampling : Sampling::regular;
-  const detail::Job job{scene, view, camera, options.mode, grid, sampling, cells ? &*cells : nullptr,
-                        options.instructions};
+  const detail::Job job{.scene = scene,
+                        .view = view,
+                        .camera = camera,
+                        .mode = options.mode,
+                        .grid = grid,
+                        .sampling = sampling,
+                        .cells = cells ? &*cells : nullptr,
+                        .layer_cells = layer_cells ? &*layer_cells : nullptr,
+                        .instructions = options.instructions};
   Workers workers(threads, job);
   const bool adaptive = sampling == Sampling::adaptive;
   adaptive ? fill_adaptively(workers, film, options.progress) : fill(workers, film, options.progress);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shade/tracer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,7 +31,16 @@ std::uint64_t& count_of(RayCounts& counts, RayKind kind) {
 
 }  // namespace
 
-Tracer::Tracer(Caster& caster, const View& view) : scene_(caster.scene()), view_(view), caster_(caster) {}
+Tracer::Tracer(Caster& caster, const View& view, LayerCaster* layers)
+    : scene_(caster.scene()), view_(view), caster_(caster), layers_(layers) {
+  if (layers == nullptr) return;
+  even_look_.assign(scene_.regions().size(), 1);
+  for (const Leaf& leaf : scene_.leaves()) {
+    if (leaf.region.valid() && !leaf.holds_nothing && leaf.look != scene_.region(leaf.region).look)
+      even_look_[leaf.region.index()] = 0;
+  }
+  all_are_even_ = std::find(even_look_.begin(), even_look_.end(), 0) == even_look_.end();
+}
 
 Rgb Tracer::trace(const Ray& ray, RayTree* tree) {
   tree_ = tree;
@@ -109,8 +119,8 @@ void Tracer::run(const Task& arriving) {
 }
 
 std::optional<Tracer::Boundary> Tracer::next_boundary(const Task& task) {
-  caster_.begin(task.ray, task.departure);
   if (scene_.transmits()) return next_interface(task);
+  caster_.begin(task.ray, task.departure);
   const std::optional<Hit> hit = caster_.first_hit({}, Rounding::close);
   if (!hit) return std::nullopt;
   const bool enters = hit->passage == Passage::entry;
@@ -118,10 +128,21 @@ std::optional<Tracer::Boundary> Tracer::next_boundary(const Task& task) {
 }
 
 std::optional<Tracer::Boundary> Tracer::next_interface(const Task& task) {
+  if (layers_ != nullptr) {
+    const LayerCaster::Outcome outcome = layers_->look(task.ray, task.departure, Span().to);
+    if (outcome == LayerCaster::Outcome::none) return std::nullopt;
+    if (outcome == LayerCaster::Outcome::found) return boundary(layers_->change(), layers_->face(), task);
+  }
+  caster_.begin(task.ray, task.departure);
   caster_.interfaces(interfaces_);
   if (interfaces_.empty()) return std::nullopt;
   const Interface& first = interfaces_.front();
-  const Attribution face = caster_.attribute(first.node, first.hit);
+  return boundary(first, caster_.attribute(first.node, first.hit), task);
+}
+
+Tracer::Boundary Tracer::boundary(const Interface& first, const Attribution& face, const Task& task) {
+  const auto is_even = [&](RegionId region) { return !region.valid() || even_look_[region.index()] != 0; };
+  if (layers_ != nullptr && !(is_even(first.before) && is_even(first.after))) caster_.begin(task.ray, task.departure);
   const Medium before = medium(first.before, Passage::exit, first, task.medium);
   const Medium after = medium(first.after, Passage::entry, first, {});
   const bool out_of_opaque = !first.before.valid() && first.hit.passage == Passage::exit;
@@ -133,6 +154,7 @@ std::optional<Tracer::Boundary> Tracer::next_interface(const Task& task) {
 Tracer::Medium Tracer::medium(RegionId region, Passage passage, const Interface& where, Medium known) {
   if (!region.valid()) return {};
   if (region == known.region) return known;
+  if (!even_look_.empty() && even_look_[region.index()] != 0) return {region, scene_.region(region).look};
   const LookId look = caster_.look_inside(scene_.region(region).node, {where.hit.crossing, passage});
   return {region, look.valid() ? look : scene_.region(region).look};
 }
@@ -169,25 +191,40 @@ Rgb Tracer::lit(const Spot& spot, std::size_t light, const Task& task) {
 Rgb Tracer::passing(const Spot& spot, const Ray& ray, const Illumination& from) {
   ++report_.rays.shadow;
   const Span span{0, from.is_finite ? 1 : std::numeric_limits<double>::infinity()};
+  if (scene_.transmits() && !spot.boundary.out_of_opaque) return passing_media(spot, ray, length(from.path), span);
   caster_.begin(ray, Departure{spot.boundary.surface, spot.boundary.face.front});
   // Seen from inside, the opaque solid is a shell: what blocks light is a boundary, not the inside.
   if (spot.boundary.out_of_opaque) return caster_.first_hit(span) ? Rgb{} : white;
-  if (!scene_.transmits()) return caster_.any_hit(span) ? Rgb{} : white;
-  return passing_media(spot, length(from.path), span);
+  return caster_.any_hit(span) ? Rgb{} : white;
 }
 
 // The same in a scene with transparent media; `unit` is the length of the shadow ray's direction.
-Rgb Tracer::passing_media(const Spot& spot, double unit, Span span) {
+Rgb Tracer::passing_media(const Spot& spot, const Ray& ray, double unit, Span span) {
+  const Departure departure{spot.boundary.surface, spot.boundary.face.front};
+  if (layers_ != nullptr && layers_->look_through(ray, departure, span.to, interfaces_, looks_)) {
+    if (!all_are_even_) caster_.begin(ray, departure);  // media may have to be asked for
+    return passing_changes(spot, unit, span, [&](std::size_t i) { return looks_[i]; });
+  }
+  caster_.begin(ray, departure);
   caster_.interfaces(interfaces_, span);
+  return passing_changes(spot, unit, span, [&](std::size_t i) {
+    return caster_.attribute(interfaces_[i].node, interfaces_[i].hit).look;
+  });
+}
+
+// By the changes of medium on the way; look_of(i) is what the face of one shows.
+template <class LookOf>
+Rgb Tracer::passing_changes(const Spot& spot, double unit, Span span, LookOf&& look_of) {
   Rgb share = white;
   Medium now = spot.boundary.before;
   double from = 0;
-  for (const Interface& next : interfaces_) {
+  for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+    const Interface& next = interfaces_[i];
     if (next.into_opaque) return {};
     const double t = next.hit.crossing.t;
     now = medium(next.before, Passage::exit, next, now);
     share = share * absorbed(now, (t - from) * unit);
-    share = scene_.look(caster_.attribute(next.node, next.hit).look).transmission * share;
+    share = scene_.look(look_of(i)).transmission * share;
     if (!(brightest(share) > 0)) return {};
     now = medium(next.after, Passage::entry, next, {});
     from = t;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "raycast/caster.h"
@@ -28,6 +29,7 @@ struct Caster::State {
   detail::LocalTree near_point;
   IntervalList list;
   std::vector<IntervalList> layer_lists;
+  std::vector<std::span<const Interval>> layer_spans;
   std::vector<std::size_t> layer_passed;
   std::uint64_t rays = 0;
 };

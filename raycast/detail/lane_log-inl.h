@@ -21,10 +21,11 @@ class EndLog {
 
   void clear() { rows_ = 0; }
 
-  /// `where`: SurfaceId below, Crossing::root above.
-  HWY_INLINE void add(hn::Mask<D> lanes, hn::Vec<D> t, hn::Vec<Bits> where) {
+  /// `where`: SurfaceId below, Crossing::root above. `face`: its leaf below, its look above.
+  HWY_INLINE void add(hn::Mask<D> lanes, hn::Vec<D> t, hn::Vec<Bits> where, hn::Vec<Bits> face) {
     const D d;
     if (rows_ == masks_.size()) reserve(2 * rows_);
+    hn::StoreU(face, Bits(), face_.data() + rows_ * lanes_);
     hn::StoreU(t, d, t_.data() + rows_ * lanes_);
     hn::StoreU(where, Bits(), where_.data() + rows_ * lanes_);
     std::uint8_t mask[8];
@@ -39,11 +40,16 @@ class EndLog {
     return {t_[row * lanes_ + lane], SurfaceId(static_cast<std::uint32_t>(where)),
             static_cast<std::uint8_t>(where >> 32)};
   }
+  EndFace face_at(std::size_t row, std::size_t lane) const {
+    const std::uint64_t face = face_[row * lanes_ + lane];
+    return {LeafId(static_cast<std::uint32_t>(face)), LookId(static_cast<std::uint32_t>(face >> 32))};
+  }
 
  private:
   void reserve(std::size_t rows) {
     t_.resize(rows * lanes_);
     where_.resize(rows * lanes_);
+    face_.resize(rows * lanes_);
     masks_.resize(rows);
   }
 
@@ -51,6 +57,7 @@ class EndLog {
   std::size_t rows_ = 0;
   std::vector<double> t_;
   std::vector<std::uint64_t> where_;
+  std::vector<std::uint64_t> face_;
   std::vector<std::uint8_t> masks_;
 };
 

@@ -362,15 +362,19 @@ class Walk {
     hn::Store(index, bits, indices);
     V t = hn::Zero(d);
     U where = hn::Zero(bits);
+    U face = hn::Zero(bits);
     for (M rest = changes; !hn::AllFalse(d, rest);) {
       const std::uint64_t i = indices[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
       const M same = hn::And(rest, hn::RebindMask(d, hn::Eq(index, hn::Set(bits, i))));
       rest = hn::AndNot(same, rest);
-      const std::uint32_t id = cells_.slots[cell.first_slot + i].surface;
+      const Slot& slot = cells_.slots[cell.first_slot + i];
+      const std::uint32_t id = slot.surface;
       M second, is_open;
       const Surface& surface = scene_.surfaces()[id];
       const V tau = crossing_tau(d, line_, surface, rises, second, is_open);
       flag(hn::And(same, is_open));
+      // Of the surface that a ray departs from, the scalar code tells by another form.
+      if (departures_ != nullptr) flag(hn::And(same, departing_from(d, *departures_, id)));
       V own = hn::Mul(hn::Add(line_.shift, tau), line_.unit);
       if (rounds_) {
         V nearest;
@@ -380,9 +384,11 @@ class Walk {
       }
       t = hn::IfThenElse(same, own, t);
       const U root = hn::IfThenElseZero(hn::RebindMask(bits, second), hn::Set(bits, std::uint64_t{1} << 32));
-      where = hn::IfThenElse(hn::RebindMask(bits, same), hn::Or(hn::Set(bits, id), root), where);
+      const auto in_bits = hn::RebindMask(bits, same);
+      where = hn::IfThenElse(in_bits, hn::Or(hn::Set(bits, id), root), where);
+      face = hn::IfThenElse(in_bits, hn::Set(bits, slot.leaf | std::uint64_t{slot.look} << 32), face);
     }
-    ends_->add(changes, t, where);
+    ends_->add(changes, t, where, face);
     count_ = hn::Add(count_, hn::IfThenElseZero(hn::RebindMask(bits, changes), hn::Set(bits, 1)));
   }
 

@@ -169,6 +169,8 @@ void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, cons
     const unsigned found_bits = bits_of(d, found);
     const std::uint64_t states = bytes_of(found_bits) + bytes_of(found_bits & ~bits_of(d, walk.inside()));
     std::memcpy(hits.faces.state + first, &states, count);
+    if (wanted == Wanted::first && hits.faces.is_inside != nullptr)
+      store_bytes(bits_of(d, walk.started_inside()), hits.faces.is_inside + first, count);
     leave(*hits.left, first, bits_of(d, left), counts);
   }
 }
@@ -194,20 +196,24 @@ HWY_INLINE void append_lists(D d, const RayArrays& rays, std::size_t first, std:
   }
   lists.intervals->resize(total / 2);
   auto* ends = reinterpret_cast<unsigned char*>(lists.intervals->data());
-  const auto put = [&](std::size_t lane, const Crossing& end) {
+  if (lists.faces != nullptr) lists.faces->resize(total);
+  EndFace* const faces = lists.faces != nullptr ? lists.faces->data() : nullptr;
+  const auto put = [&](std::size_t lane, const Crossing& end, const auto& face_of) {
+    if (faces != nullptr) faces[next[lane]] = face_of();
     std::memcpy(ends + sizeof(Crossing) * next[lane]++, &end, sizeof(Crossing));
   };
+  const auto no_face = [] { return EndFace(); };
   for (unsigned rest = told & start_inside; rest != 0; rest &= rest - 1)
-    put(static_cast<std::size_t>(__builtin_ctz(rest)), {rays.whole_line ? -HUGE_VAL : 0, {}, 0});
+    put(static_cast<std::size_t>(__builtin_ctz(rest)), {rays.whole_line ? -HUGE_VAL : 0, {}, 0}, no_face);
   for (std::size_t row = 0; row < log.rows(); ++row) {
     for (unsigned rest = told & log.mask(row); rest != 0; rest &= rest - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(rest));
-      put(lane, log.at(row, lane));
+      put(lane, log.at(row, lane), [&] { return log.face_at(row, lane); });
     }
   }
   for (unsigned rest = told & end_inside; rest != 0; rest &= rest - 1) {
     const auto lane = static_cast<std::size_t>(__builtin_ctz(rest));
-    put(lane, {rays.end != nullptr ? rays.end[first + lane] : HUGE_VAL, {}, 1});
+    put(lane, {rays.end != nullptr ? rays.end[first + lane] : HUGE_VAL, {}, 1}, no_face);
   }
 }
 
@@ -217,11 +223,13 @@ void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays
   const D d;
   const std::size_t lanes = hn::Lanes(d);
   LineLanes<D> line;
+  Departures<D> departures;
   EndLog<D> log;
-  Walk<D, Wanted::all> walk(scene, cells, line, nullptr, &log, counts);
+  Walk<D, Wanted::all> walk(scene, cells, line, rays.departure != nullptr ? &departures : nullptr, &log, counts);
   walk.set_rounds(lists.rounds);
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = HWY_MIN(lanes, rays.count - first);
+    if (rays.departure != nullptr) set_departures(d, rays, first, count, departures);
     walk_packet(d, scene, cells, rays, first, count, line, walk, counts);
     const unsigned left = bits_of(d, walk.flagged());
     const unsigned told = ((1u << count) - 1) & ~left;

@@ -53,7 +53,8 @@ void choose_neighbours(Pixel pixel, const Rgb* colors, int k, Refinement& refine
 TileRenderer::TileRenderer(const Job& job)
     : job_(job),
       caster_(job.scene),
-      tracer_(caster_, job.view),
+      layers_(job.layer_cells != nullptr ? std::make_optional<LayerCaster>(*job.layer_cells, caster_) : std::nullopt),
+      tracer_(caster_, job.view, layers_ ? &*layers_ : nullptr),
       outline_(job.camera.frame(), job.scene.node(job.scene.root()).box) {
   if (job.cells == nullptr) return;
   if (job.mode == Mode::shaded) {
@@ -67,6 +68,10 @@ RenderReport TileRenderer::report() const {
   RenderReport result = tracer_.report();
   if (packets_) result += packets_->report();
   if (sight_packets_) result += sight_packets_->report();
+  if (layers_) {
+    result.casts += layers_->caster_counts();
+    result.packets += layers_->counts();
+  }
   result.skipped.primary_beyond_bounds += beyond_bounds_;
   result.rays.primary += primary_;
   result.refined_pixels += refined_;

@@ -29,7 +29,8 @@ struct Job {
   Mode mode;
   int grid;  ///< k of k x k samples a pixel
   Sampling sampling;
-  const Cells* cells;  ///< null: rays go one by one
+  const Cells* cells;            ///< null: rays go one by one
+  const LayerCells* layer_cells;  ///< of scenes that transmit; null: without cells
   std::string_view instructions;
 };
 
@@ -66,6 +67,7 @@ class TileRenderer {
 
   Job job_;
   Caster caster_;
+  std::optional<LayerCaster> layers_;
   Tracer tracer_;
   std::optional<PacketTracer> packets_;       // of shaded pictures
   std::optional<PacketSights> sight_packets_;  // of others

@@ -75,7 +75,9 @@ TEST_CASE("a pixel is the mean of its samples in linear light") {
 
 TEST_CASE("the report counts a ray for each that was cast") {
   RenderReport report;
-  render(compile(still_life()), standard_view(), picture(40, 30), &report);
+  RenderOptions options = picture(40, 30);
+  options.engine = Engine::scalar;
+  render(compile(still_life()), standard_view(), options, &report);
   const RayCounts& rays = report.rays;
   REQUIRE(rays.primary == 40 * 30);
   REQUIRE(rays.shadow > 0);
