@@ -122,7 +122,7 @@ using hh::Zero;
 
 template <class T>
 concept Number = std::same_as<T, double> || std::same_as<T, std::uint64_t> || std::same_as<T, std::int64_t> ||
-                 std::same_as<T, std::uint32_t>;
+    std::same_as<T, std::uint32_t>;
 
 template <class T>
 constexpr std::size_t Lanes(Single<T>) {

@@ -31,9 +31,9 @@ void Caster::begin(const Ray& ray, std::optional<Departure> departure) {
   ++state_->rays;
 }
 
-void Caster::intervals(NodeId node, IntervalList& list, Span span) {
+void Caster::intervals(NodeId node, IntervalList& list, Span span, Rounding rounding) {
   list = state_->evaluator.evaluate(node, span, detail::Want::all);
-  state_->clip_and_bound(node, list, span);
+  state_->clip_and_bound(node, list, span, rounding);
 }
 
 std::optional<Hit> Caster::first_hit(NodeId node, Span span, Rounding rounding) {
@@ -82,11 +82,11 @@ Crossing Caster::State::bounding(NodeId node, const Crossing& crossing, Rounding
   return rounding == Rounding::nearest ? cache.reported(bounding) : bounding;
 }
 
-void Caster::State::clip_and_bound(NodeId node, IntervalList& intervals, Span span) {
+void Caster::State::clip_and_bound(NodeId node, IntervalList& intervals, Span span, Rounding rounding) {
   clip(intervals, span, [&](const Crossing& a, double t) { return cache.order(a, t); });
   for (Interval& interval : intervals) {
-    if (interval.entry.surface.valid()) interval.entry = bounding(node, interval.entry, Rounding::nearest);
-    if (interval.exit.surface.valid()) interval.exit = bounding(node, interval.exit, Rounding::nearest);
+    if (interval.entry.surface.valid()) interval.entry = bounding(node, interval.entry, rounding);
+    if (interval.exit.surface.valid()) interval.exit = bounding(node, interval.exit, rounding);
   }
 }
 

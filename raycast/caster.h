@@ -58,7 +58,7 @@ class Caster {
   /// t = ±infinity and no surface, and so have ends that the span cuts off; an interval that starts exactly at
   /// span.from keeps its surface, one that ends there vanishes. The list is overwritten.
   void intervals(IntervalList& list, Span span = {}) { intervals(scene().root(), list, span); }
-  void intervals(NodeId node, IntervalList& list, Span span = {});
+  void intervals(NodeId node, IntervalList& list, Span span = {}, Rounding rounding = Rounding::nearest);
 
   /// The first crossing of the boundary in the span, entry or exit; stops as early as it can.
   std::optional<Hit> first_hit(Span span = {}, Rounding rounding = Rounding::nearest) {

@@ -60,7 +60,11 @@ struct LayerCaster::Query {
 };
 
 LayerCaster::LayerCaster(const LayerCells& cells, Caster& caster)
-    : scene_(cells.scene()), caster_(caster), meetings_(cells.layers().size()), lists_(meetings_.size()), spans_(meetings_.size()) {
+    : scene_(cells.scene()),
+      caster_(caster),
+      meetings_(cells.layers().size()),
+      lists_(meetings_.size()),
+      spans_(meetings_.size()) {
   for (const Cells& layer : cells.layers()) casters_.emplace_back(layer, PacketCaster::Width::single);
 }
 
@@ -107,14 +111,14 @@ bool LayerCaster::far_apart(const Crossing& a, const Crossing& b, const Query& q
 }
 
 std::weak_ordering LayerCaster::exact_order(const Crossing& a, const Crossing& b, Query& query) {
+  if (a.surface == b.surface) return a.root <=> b.root;
   if (!query.is_begun) caster_.begin(query.ray, query.departure);
   query.is_begun = true;
   return caster_.order(a, b);
 }
 
 std::weak_ordering LayerCaster::order(const Meeting& a, const Meeting& b, Query& query) {
-  if (a.is_certain && b.is_certain && far_apart(a.crossing, b.crossing, query))
-    return by_t(a.crossing, b.crossing);
+  if (a.is_certain && b.is_certain && far_apart(a.crossing, b.crossing, query)) return by_t(a.crossing, b.crossing);
   return exact_order(a.crossing, b.crossing, query);
 }
 
@@ -153,26 +157,27 @@ LayerCaster::Outcome LayerCaster::look(const Ray& ray, const std::optional<Depar
   return Outcome::found;
 }
 
-bool LayerCaster::look_through(const Ray& ray, const std::optional<Departure>& departure, double end,
+void LayerCaster::look_through(const Ray& ray, const std::optional<Departure>& departure, double end,
                                std::vector<Interface>& changes, std::vector<LookId>& looks) {
   changes.clear();
   looks.clear();
   Query query(ray, departure, end, scene_.frame());
+  bool are_certain = true;
   for (std::size_t layer = 0; layer < casters_.size(); ++layer) {
     casters_[layer].interval_faces(query.arrays, lists_[layer], Rounding::close);
-    if (!casters_[layer].left_to_caster().empty()) return false;
+    are_certain = are_certain && casters_[layer].left_to_caster().empty();
     spans_[layer] = lists_[layer].intervals;
   }
-  const auto order = [&](const Crossing& a, const Crossing& b) {
-    if (!a.surface.valid() || !b.surface.valid()) return a.t == b.t ? std::weak_ordering::equivalent : by_t(a, b);
-    return far_apart(a, b, query) ? by_t(a, b) : exact_order(a, b, query);
+  const auto order = [&](const Crossing& a, const Crossing& b) -> std::weak_ordering {
+    // What no surface ends, the span does, behind all else.
+    if (!a.surface.valid() || !b.surface.valid()) return int{!a.surface.valid()} <=> int{!b.surface.valid()};
+    return are_certain && far_apart(a, b, query) ? by_t(a, b) : exact_order(a, b, query);
   };
   detail::LayerSweep sweep(spans_, passed_, order);
   detail::each_change(scene_, sweep, [&](const Interface& change, std::size_t layer, std::size_t at) {
     changes.push_back(change);
     looks.push_back(lists_[layer].faces[at].look);
   });
-  return true;
 }
 
 PacketCounts LayerCaster::counts() const {

@@ -48,9 +48,8 @@ class LayerCaster {
   const Interface& change() const { return change_; }
   const Attribution& face() const { return face_; }
 
-  /// All changes in [0, end), Caster::interfaces, and what their faces show. False if lanes cannot tell, and it has to
-  /// be asked. The vectors are overwritten.
-  bool look_through(const Ray& ray, const std::optional<Departure>& departure, double end,
+  /// All changes in [0, end), Caster::interfaces, and what their faces show. The vectors are overwritten.
+  void look_through(const Ray& ray, const std::optional<Departure>& departure, double end,
                     std::vector<Interface>& changes, std::vector<LookId>& looks);
 
   PacketCounts counts() const;
@@ -66,7 +65,7 @@ class LayerCaster {
     Attribution face;
     bool hits = false;
     bool enters = false;
-    bool is_inside = false;  // at the start; then, after what it meets first
+    bool is_inside = false;   // at the start; then, after what it meets first
     bool is_certain = false;  // t is as certain as those of lanes
   };
 

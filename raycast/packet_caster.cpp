@@ -140,11 +140,11 @@ struct PacketCaster::State {
   // Lists of rays that lanes left have none yet: they are put in, from the last one on. `base`: how many rays the batch
   // had before.
   void insert_left(const RayArrays& rays, std::size_t base, std::size_t left_before, IntervalBatch& batch,
-                   bool wants_faces) {
+                   Rounding rounding, bool wants_faces) {
     for (std::size_t k = left.size(); k-- > left_before;) {
       const std::size_t i = left[k];
       begin(caster, rays, i);
-      caster.intervals(cells.node(), list, span_of(rays, i));
+      caster.intervals(cells.node(), list, span_of(rays, i), rounding);
       const auto at = static_cast<std::ptrdiff_t>(batch.offsets[base + i]);
       batch.intervals.insert(batch.intervals.begin() + at, list.begin(), list.end());
       for (std::size_t ray = base + i; ray < base + rays.count; ++ray) batch.offsets[ray + 1] += list.size();
@@ -194,7 +194,7 @@ struct PacketCaster::State {
                                   .unrounded = &unrounded};
     code.lists(cells.scene(), cells.data(), rays, lists, counts);
     round(rays, base, batch);
-    insert_left(rays, base, left_before, batch, wants_faces);
+    insert_left(rays, base, left_before, batch, rounding, wants_faces);
     if (wants_faces) tell_faces(rays, base, batch);
     for (std::size_t k = left_before; k < left.size(); ++k) left[k] += static_cast<std::uint32_t>(base);
   }
@@ -312,7 +312,7 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
     }
     for (std::size_t i = begin; i < begin + some.count; ++i) {
       state.caster.begin(rays[i]);
-      state.caster.intervals(state.cells.node(), state.list, span);
+      state.caster.intervals(state.cells.node(), state.list, span, rounding);
       batch.intervals.insert(batch.intervals.end(), state.list.begin(), state.list.end());
       batch.offsets.push_back(batch.intervals.size());
       state.left.push_back(static_cast<std::uint32_t>(i));

@@ -21,10 +21,10 @@ struct RayArrays {
 struct HitArrays {
   enum State : std::uint8_t { none, entry, exit };
 
-  std::uint8_t* state = nullptr;     ///< without a hit the other numbers mean nothing
-  double* t = nullptr;               ///< Crossing::t
-  std::uint32_t* surface = nullptr;  ///< SurfaceId
-  std::uint8_t* root = nullptr;      ///< Crossing::root; may be null where t is not rounded
+  std::uint8_t* state = nullptr;      ///< without a hit the other numbers mean nothing
+  double* t = nullptr;                ///< Crossing::t
+  std::uint32_t* surface = nullptr;   ///< SurfaceId
+  std::uint8_t* root = nullptr;       ///< Crossing::root; may be null where t is not rounded
   std::uint8_t* is_inside = nullptr;  ///< whether the ray starts inside the solid; may be null
 };
 

@@ -22,7 +22,7 @@ struct Surface {
   /// False if a coefficient underflowed beside the largest one: then the doubles decide nothing.
   bool in_range = true;
   bool is_mixed = false;  ///< it has terms xy, xz or yz
-  PackedForm exact;  ///< coprime integers, first non-zero one positive
+  PackedForm exact;       ///< coprime integers, first non-zero one positive
 
   /// In the world's coordinates and times a power of two: each coefficient rounded to nearest, the largest near 1.
   Coefficients world{};

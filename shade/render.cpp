@@ -52,8 +52,8 @@ void check(const RenderOptions& options) {
   }
   const auto sets = PacketCaster::instruction_sets();
   if (!options.instructions.empty() && std::find(sets.begin(), sets.end(), options.instructions) == sets.end()) {
-    throw Error(ErrorCode::usage, {}, "no instruction set is called " + options.instructions,
-                "this machine has others", "ask PacketCaster::instruction_sets()");
+    throw Error(ErrorCode::usage, {}, "no instruction set is called " + options.instructions, "this machine has others",
+                "ask PacketCaster::instruction_sets()");
   }
 }
 
@@ -226,8 +226,8 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   Threads threads(options);
   const auto before_cells = Clock::now();
   std::optional<Cells> cells;
-  const bool suits_packets = options.mode == Mode::shaded ? detail::PacketTracer::suits(scene, view, camera)
-                                                          : camera.rays_are_in_range();
+  const bool suits_packets =
+      options.mode == Mode::shaded ? detail::PacketTracer::suits(scene, view, camera) : camera.rays_are_in_range();
   if (options.engine == Engine::packets && suits_packets) threads.run([&] { cells.emplace(scene); });
   std::optional<LayerCells> layer_cells;
   const bool suits_layers = options.mode == Mode::shaded && LayerCells::suits(scene) && view.settings.max_depth > 0;

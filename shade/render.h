@@ -57,7 +57,8 @@ struct RenderOptions {
 
 /// A picture, the same bit for bit on any number of threads. Throws Error(limit) for a size or number of samples that
 /// is not positive or too large (65,536 pixels a side, 2^27 in all, 1,024 samples), Error(bad_value) for a view that no
-/// camera has, Error(usage) for adaptive samples in a mode other than shaded, or instructions that the machine does not have. Adds to *report if it is not null.
+/// camera has, Error(usage) for adaptive samples in a mode other than shaded, or instructions that the machine does not
+/// have. Adds to *report if it is not null.
 Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report = nullptr);
 
 /// The tree of rays of one pixel's centre as indented text, a line for each ray: kind, weight, t and place of the hit,

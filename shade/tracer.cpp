@@ -201,15 +201,15 @@ Rgb Tracer::passing(const Spot& spot, const Ray& ray, const Illumination& from) 
 // The same in a scene with transparent media; `unit` is the length of the shadow ray's direction.
 Rgb Tracer::passing_media(const Spot& spot, const Ray& ray, double unit, Span span) {
   const Departure departure{spot.boundary.surface, spot.boundary.face.front};
-  if (layers_ != nullptr && layers_->look_through(ray, departure, span.to, interfaces_, looks_)) {
+  if (layers_ != nullptr) {
+    layers_->look_through(ray, departure, span.to, interfaces_, looks_);
     if (!all_are_even_) caster_.begin(ray, departure);  // media may have to be asked for
     return passing_changes(spot, unit, span, [&](std::size_t i) { return looks_[i]; });
   }
   caster_.begin(ray, departure);
   caster_.interfaces(interfaces_, span);
-  return passing_changes(spot, unit, span, [&](std::size_t i) {
-    return caster_.attribute(interfaces_[i].node, interfaces_[i].hit).look;
-  });
+  return passing_changes(
+      spot, unit, span, [&](std::size_t i) { return caster_.attribute(interfaces_[i].node, interfaces_[i].hit).look; });
 }
 
 // By the changes of medium on the way; look_of(i) is what the face of one shows.

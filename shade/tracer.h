@@ -22,8 +22,9 @@ namespace csgcast {
 /// overflows it.
 class Tracer {
  public:
-  /// The caster's scene, the caster (which others may use between calls) and the view must outlive the tracer. `layers`:
-  /// what finds the first change of medium on a ray faster; null: the caster does. The light is the same, bit for bit.
+  /// The caster's scene, the caster (which others may use between calls) and the view must outlive the tracer.
+  /// `layers`: what finds the first change of medium on a ray faster; null: the caster does. The light is the same, bit
+  /// for bit.
   Tracer(Caster& caster, const View& view, LayerCaster* layers = nullptr);
 
   /// The light that comes along a ray of unit direction. Records every ray in *tree, if given.

@@ -20,7 +20,7 @@ struct Caster::State {
   /// The crossing of the surface that bounds the node where a merged list ends, by the tie rule.
   Crossing bounding(NodeId node, const Crossing& crossing, Rounding rounding);
   /// Cuts an evaluated list to the span and settles which surfaces bound it.
-  void clip_and_bound(NodeId node, IntervalList& intervals, Span span);
+  void clip_and_bound(NodeId node, IntervalList& intervals, Span span, Rounding rounding);
 
   const Scene& scene;
   detail::LineCache cache;

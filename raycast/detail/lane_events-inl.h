@@ -79,8 +79,8 @@ HWY_INLINE void widen(Events<D>& events, hn::Vec<D> slack) {
 
 /// A plane square to an axis of the frame.
 template <class D>
-HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const Slot& plane, std::size_t axis,
-                                  std::size_t i, Events<D>& events) {
+HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const Slot& plane, std::size_t axis, std::size_t i,
+                                  Events<D>& events) {
   using V = hn::Vec<D>;
   events.first[i] = tau_at(d, line, axis, plane.c[0]);
   const auto falls = hn::Lt(line.axis_inverse[axis], hn::Zero(d));
@@ -101,8 +101,8 @@ HWY_INLINE void depart_from_axis_plane(D d, const LineLanes<D>& line, std::size_
 }
 
 template <class D>
-HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const Slot& plane, hn::Mask<D> departing,
-                             std::size_t i, Events<D>& events) {
+HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const Slot& plane, hn::Mask<D> departing, std::size_t i,
+                             Events<D>& events) {
   using V = hn::Vec<D>;
   const Triples<V> n{hn::Set(d, plane.c[0]), hn::Set(d, plane.c[1]), hn::Set(d, plane.c[2])};
   const V slope = fused_dot(n, line.direction);
@@ -226,7 +226,8 @@ HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Surf
     const auto row = [&](Form::Term own, V x, Form::Term m1, V y, Form::Term m2, V z) {
       return hn::Add(hn::Mul(c(own), x), hn::Mul(half, hn::Add(hn::Mul(c(m1), y), hn::Mul(c(m2), z))));
     };
-    if (!surface.is_mixed) return Triples<V>{hn::Mul(c(Form::xx), v.x), hn::Mul(c(Form::yy), v.y), hn::Mul(c(Form::zz), v.z)};
+    if (!surface.is_mixed)
+      return Triples<V>{hn::Mul(c(Form::xx), v.x), hn::Mul(c(Form::yy), v.y), hn::Mul(c(Form::zz), v.z)};
     return Triples<V>{row(Form::xx, v.x, Form::xy, v.y, Form::xz, v.z),
                       row(Form::yy, v.y, Form::xy, v.x, Form::yz, v.z),
                       row(Form::zz, v.z, Form::xz, v.x, Form::yz, v.y)};
@@ -250,8 +251,7 @@ HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Surf
 // long: one formula with the bounds of its parts
 template <class D>
 HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& quadric, hn::Mask<D> departing,
-                               const Departures<D>* departures, std::size_t i,
-                               Events<D>& events) {
+                               const Departures<D>* departures, std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
   const QuadraticLanes<D> f = quadratic(d, line, quadric);
   const auto set = [&](double value) { return hn::Set(d, value); };

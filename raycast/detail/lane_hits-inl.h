@@ -16,8 +16,8 @@ namespace HWY_NAMESPACE {
 /// tau of the crossing at which the surface rises or falls, as filtered_plane and filtered_quadric give it
 /// (line_filter.cpp). Precondition: that they are certain, which they are where lanes were.
 template <class D>
-HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface,
-                                   hn::Mask<D> rises, hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
+HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> rises,
+                                   hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto& k = surface.local;

@@ -38,8 +38,7 @@ struct Residual {
 };
 
 template <class D>
-HWY_INLINE Residual<D> residual_at(D d, const LineLanes<D>& line, const Surface& surface,
-                                   hn::Vec<D> tau) {
+HWY_INLINE Residual<D> residual_at(D d, const LineLanes<D>& line, const Surface& surface, hn::Vec<D> tau) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const V zero = hn::Zero(d);
@@ -83,8 +82,8 @@ HWY_INLINE Residual<D> residual_at(D d, const LineLanes<D>& line, const Surface&
 
 /// t of the crossing near tau, rounded to nearest; the lanes where that is certain.
 template <class D>
-HWY_INLINE hn::Mask<D> nearest_t_lanes(D d, const LineLanes<D>& line, const Surface& surface,
-                                       hn::Vec<D> tau, hn::Vec<D>& t) {
+HWY_INLINE hn::Mask<D> nearest_t_lanes(D d, const LineLanes<D>& line, const Surface& surface, hn::Vec<D> tau,
+                                       hn::Vec<D>& t) {
   using V = hn::Vec<D>;
   constexpr double u = 0x1p-53;
   constexpr double uu = 0x1p-106;

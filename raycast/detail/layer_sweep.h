@@ -88,8 +88,8 @@ class LayerSweep {
   Crossing stop_;
 };
 
-/// Calls tell(change, layer, end) for each change of medium of a sweep, ended by the first one into an opaque solid: the
-/// interface, whose crossing is that end of that layer's list.
+/// Calls tell(change, layer, end) for each change of medium of a sweep, ended by the first one into an opaque solid:
+/// the interface, whose crossing is that end of that layer's list.
 template <class Order, class Tell>
 void each_change(const Scene& scene, LayerSweep<Order>& sweep, Tell&& tell) {
   std::size_t from = sweep.holder();

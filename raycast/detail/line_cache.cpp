@@ -4,9 +4,7 @@
 namespace csgcast::detail {
 
 LineCache::LineCache(const Scene& scene, const Predicates& predicates)
-    : scene_(scene),
-      predicates_(predicates),
-      line_(Ray({}, {0, 0, 1}), scene.frame()) {}
+    : scene_(scene), predicates_(predicates), line_(Ray({}, {0, 0, 1}), scene.frame()) {}
 
 void LineCache::begin(const Ray& ray, SurfaceId departure, Sense side) {
   // Not before: many casters never get a ray.

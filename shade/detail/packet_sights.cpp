@@ -73,8 +73,7 @@ void PacketSights::measure(const Samples& samples, std::span<double> lengths) {
   for (std::size_t first = 0; first < samples.x.size(); first += at_once) {
     const RayArrays rays = rays_of(samples, first);
     caster_.intervals(rays, intervals_);
-    for (std::size_t i = 0; i < rays.count; ++i)
-      lengths[samples.place[first + i]] = total_length(intervals_.of(i));
+    for (std::size_t i = 0; i < rays.count; ++i) lengths[samples.place[first + i]] = total_length(intervals_.of(i));
   }
 }
 

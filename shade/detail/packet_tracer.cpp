@@ -51,8 +51,7 @@ void PacketTracer::trace(std::span<const double> x, std::span<const double> y, s
   resize(x.size());
   depth_ = 0;
   count_ = x.size();
-  code_.camera_rays(camera_.frame(), count_, x.data(), y.data(), pointers(origin_).data(),
-                             pointers(direction_).data());
+  code_.camera_rays(camera_.frame(), count_, x.data(), y.data(), pointers(origin_).data(), pointers(direction_).data());
   std::iota(ray_sample_.begin(), ray_sample_.begin() + static_cast<std::ptrdiff_t>(count_), 0u);
   for (; count_ > 0; ++depth_) {
     see();

@@ -29,7 +29,7 @@ struct Job {
   Mode mode;
   int grid;  ///< k of k x k samples a pixel
   Sampling sampling;
-  const Cells* cells;            ///< null: rays go one by one
+  const Cells* cells;             ///< null: rays go one by one
   const LayerCells* layer_cells;  ///< of scenes that transmit; null: without cells
   std::string_view instructions;
 };
@@ -69,9 +69,9 @@ class TileRenderer {
   Caster caster_;
   std::optional<LayerCaster> layers_;
   Tracer tracer_;
-  std::optional<PacketTracer> packets_;       // of shaded pictures
+  std::optional<PacketTracer> packets_;        // of shaded pictures
   std::optional<PacketSights> sight_packets_;  // of others
-  Outline outline_;  // of the solid; beyond it packets see the background
+  Outline outline_;                            // of the solid; beyond it packets see the background
   std::uint64_t beyond_bounds_ = 0;
   std::uint64_t primary_ = 0;
   std::uint64_t refined_ = 0;

@@ -122,16 +122,66 @@ TEST_CASE("arrays of rays get the scalar caster's answers, however many there ar
         }
         CHECK((any[i] != 0) == scalar.any_hit());
         IntervalList list;
-        scalar.intervals(list);
+        scalar.intervals(scene.root(), list, {}, rounding);
         const auto found = batch.of(i);
         REQUIRE(found.size() == list.size());
         for (std::size_t k = 0; k < list.size(); ++k) {
-          if (rounding == Rounding::nearest) {
-            CHECK(same(found[k].entry, list[k].entry));
-            CHECK(same(found[k].exit, list[k].exit));
-          } else {
-            CHECK(found[k].entry.surface == list[k].entry.surface);
-            CHECK(found[k].exit.t == Approx(list[k].exit.t));
+          CHECK(same(found[k].entry, list[k].entry));
+          CHECK(same(found[k].exit, list[k].exit));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("lists of rays that depart, and the faces at their ends, are the scalar caster's") {
+  RandomSolids random(12);
+  for (const std::size_t leaves : {std::size_t{2}, std::size_t{6}, std::size_t{20}}) {
+    const Scene scene = compile(random.tree(leaves) - transformed(sphere(0.6), translation({0.5, 0, 0})));
+    const Cells cells(scene);
+    Caster scalar(scene);
+    std::vector<Ray> rays;
+    std::vector<std::uint32_t> surfaces;
+    std::vector<std::uint8_t> sides;
+    for (const Ray& ray : rays_at(random, 400)) {
+      scalar.begin(ray);
+      const std::optional<Hit> hit = scalar.first_hit();
+      if (!hit) continue;
+      rays.emplace_back(scalar.attribute(*hit).point, random.direction());
+      surfaces.push_back(hit->crossing.surface.index());
+      sides.push_back(rays.size() % 2 == 0 ? 1 : 0);
+    }
+    REQUIRE(rays.size() > 20);
+    Arrays arrays(rays);
+    RayArrays departing = arrays.rays();
+    departing.departure = surfaces.data();
+    departing.departs_positive = sides.data();
+    for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
+      for (const Rounding rounding : {Rounding::nearest, Rounding::close}) {
+        PacketCaster caster(cells, width);
+        IntervalBatch batch;
+        caster.interval_faces(departing, batch, rounding);
+        CHECK(caster.left_to_caster().size() < rays.size());
+        REQUIRE(batch.faces.size() == 2 * batch.intervals.size());
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+          const Sense side = sides[i] != 0 ? Sense::positive : Sense::negative;
+          scalar.begin(rays[i], Departure{SurfaceId(surfaces[i]), side});
+          IntervalList list;
+          scalar.intervals(scene.root(), list, {}, rounding);
+          const auto found = batch.of(i);
+          REQUIRE(found.size() == list.size());
+          for (std::size_t k = 0; k < list.size(); ++k) {
+            for (const Passage passage : {Passage::entry, Passage::exit}) {
+              const bool enters = passage == Passage::entry;
+              const Crossing& end = enters ? list[k].entry : list[k].exit;
+              CHECK(same(enters ? found[k].entry : found[k].exit, end));
+              const EndFace face = batch.faces[2 * (batch.offsets[i] + k) + (enters ? 0 : 1)];
+              REQUIRE(face.leaf.valid() == end.surface.valid());
+              if (!end.surface.valid()) continue;
+              const Attribution expected = scalar.attribute({end, passage});
+              CHECK(face.leaf == expected.leaf);
+              CHECK(face.look == expected.look);
+            }
           }
         }
       }
@@ -198,7 +248,8 @@ TEST_CASE("cells do not depend on the number of threads that build them") {
     REQUIRE(a.cells[i].first_slot == b.cells[i].first_slot);
   }
   REQUIRE(a.slots.size() == b.slots.size());
-  for (std::size_t i = 0; i < a.slots.size(); ++i) REQUIRE((a.slots[i].surface == b.slots[i].surface && a.slots[i].leaf == b.slots[i].leaf));
+  for (std::size_t i = 0; i < a.slots.size(); ++i)
+    REQUIRE((a.slots[i].surface == b.slots[i].surface && a.slots[i].leaf == b.slots[i].leaf));
 }
 
 namespace {

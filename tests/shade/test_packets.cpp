@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "csg/text/builder.h"
 #include "csg/text/reader.h"
+#include "raycast/layer_caster.h"
 #include "raycast/packet_caster.h"
 #include "shade/render.h"
 #include "tests/support/catch.h"
@@ -111,6 +112,54 @@ TEST_CASE("mirrors, cuts and eyes inside solids look the same in packets, at any
       CHECK(report.rays.reflection == one_by_one.rays.reflection);
       CHECK(report.skipped.reflection_below_cutoff == one_by_one.skipped.reflection_below_cutoff);
       CHECK(report.skipped.depth_limit == one_by_one.skipped.depth_limit);
+    }
+  }
+}
+
+TEST_CASE("light through glass that touches, overlaps, is cut and looks uneven is the same with and without cells") {
+  const std::string glass =
+      "material(color = [0, 0, 0.1], specular = 0.5, reflection = 0.1, transmission = 0.9, ior = 1.5, "
+      "absorption = [0.1, 0.3, 0.2]) ";
+  const std::string water =
+      "material(color = [0, 0.1, 0], reflection = 0.05, transmission = 0.95, ior = 1.33, "
+      "absorption = [0.3, 0.1, 0.1]) ";
+  const std::string stone = "material(color = [0.8, 0.7, 0.6], reflection = 0.2) ";
+  const std::vector<std::string> solids{
+      // side by side, of one medium and of two
+      glass + "{ cube(size = 1); } " + glass + "{ translate([1, 0, 0]) { cube(size = 1); } } " + water +
+          "{ translate([0, 1, 0]) { cube(size = 1); } }",
+      // one in the other, and an opaque thing in both
+      water + "{ sphere(r = 1.2); } " + glass + "{ cube(size = 1.4, center = true); } " + stone +
+          "{ cylinder(h = 3, r = 0.3, center = true); }",
+      stone + "{ cylinder(h = 3, r = 0.3, center = true); } " + glass + "{ sphere(r = 1.2); } " + water +
+          "{ cube(size = [1, 1, 1], center = true); }",
+      // cut by something with a look of its own, and by the neighbour's shape
+      glass + "{ difference() { sphere(r = 1.2); " + water + "{ cube(size = 1); } cylinder(h = 3, r = 0.4); } } " +
+          water + "{ intersection() { sphere(r = 1.2); cube(size = 1); } }",
+      // looks that change within a solid
+      glass + "{ union() { sphere(r = 0.9); " + water + "{ translate([0.8, 0, 0]) { sphere(r = 0.8); } } } } " + stone +
+          "{ halfspace(n = [0, 0, 1], d = -0.5); }",
+      // half of space is water
+      water + "{ halfspace(n = [0, 0, 1], d = 0.1); } " + stone + "{ sphere(r = 0.7); } " + glass +
+          "{ translate([1, 0, 0]) { sphere(r = 0.5); } }",
+  };
+  for (const std::string& solid : solids) {
+    for (const char* view : {"camera(eye = [3, -4, 2.5], look_at = [0.2, 0.2, 0], fov = 35);",
+                             "camera(eye = [0.3, 0.2, 0.15], look_at = [0, 1, 0.2], fov = 90);"}) {
+      INFO(view << solid);
+      const std::string text = std::string(view) + "light(position = [3, -2, 5]); light(direction = [0.3, 0.5, -1]);" +
+                               "settings(max_depth = 6, min_contribution = 0.001);" + solid;
+      const SceneDescription description = text::build(text::read(text, "glass.csg"));
+      const Scene scene = compile(description.solid, Welding::derived());
+      REQUIRE(LayerCells::suits(scene));
+      RenderReport one_by_one, report;
+      const Film expected = picture(description, scene, Engine::scalar, 1, 1, &one_by_one);
+      CHECK(picture(description, scene, Engine::packets, 1, 2, &report).values() == expected.values());
+      CHECK(report.rays.shadow == one_by_one.rays.shadow);
+      CHECK(report.rays.reflection == one_by_one.rays.reflection);
+      CHECK(report.rays.transmission == one_by_one.rays.transmission);
+      CHECK(report.total_reflections == one_by_one.total_reflections);
+      CHECK(report.packets.rays > 0);
     }
   }
 }
