@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a cell with more surfaces than a table holds comes to. Compiled once for each instruction set; included by
-// lanes.cpp only.
+// The states of a cell's surfaces along rays, and what the cell comes to in them. Compiled once for each instruction
+// set; included by lanes.cpp only.
 #if defined(CSGCAST_LANE_VALUES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_VALUES_INL_H
 #undef CSGCAST_LANE_VALUES_INL_H
@@ -39,6 +39,71 @@ hn::Mask<BitsOf<D>> value_by_steps(D, const CellData& cells, const Cell& cell, h
                                             : hn::AndNot(right, left);
   }
   return stack[0];
+}
+
+/// What a cell comes to in a state.
+template <class D>
+HWY_INLINE hn::Mask<D> cell_value(D d, const CellData& cells, const Cell& cell, hn::Vec<BitsOf<D>> state) {
+  const BitsOf<D> bits;
+  if (cell.step_count == 0) {
+    const auto word = hn::Shr(hn::Set(bits, cell.table), state);
+    return hn::RebindMask(d, hn::Ne(hn::And(word, hn::Set(bits, 1)), hn::Zero(bits)));
+  }
+  return hn::RebindMask(d, value_by_steps(d, cells, cell, state));
+}
+
+/// Which surfaces are positive after the events up to a place.
+template <class D>
+HWY_INLINE hn::Vec<BitsOf<D>> event_state(D, const Events<D>& events, const Cell& cell, hn::Vec<D> at) {
+  const BitsOf<D> bits;
+  auto state = events.before;
+  auto bit = hn::Set(bits, 1);
+  const auto pass = [&](hn::Vec<D> event) {
+    state = hn::Xor(state, hn::IfThenElseZero(hn::RebindMask(bits, hn::Le(event, at)), bit));
+  };
+  std::size_t i = 0;
+  for (; i < cell.plane_count; ++i, bit = hn::Add(bit, bit)) pass(events.first[i]);
+  for (; i < cell.slot_count; ++i, bit = hn::Add(bit, bit)) {
+    pass(events.first[i]);
+    pass(events.second[i]);
+  }
+  return state;
+}
+
+/// The first event after a place; infinity if there is none.
+template <class D>
+HWY_INLINE hn::Vec<D> next_event(D d, const Events<D>& events, const Cell& cell, hn::Vec<D> at) {
+  using V = hn::Vec<D>;
+  const V never = hn::Inf(d);
+  V next = never;
+  for (std::size_t i = 0; i < cell.slot_count; ++i) {
+    const V first = events.first[i];
+    next = hn::Min(next, hn::IfThenElse(hn::Gt(first, at), first, never));
+  }
+  for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i) {
+    const V second = events.second[i];
+    next = hn::Min(next, hn::IfThenElse(hn::Gt(second, at), second, never));
+  }
+  return next;
+}
+
+/// The lanes that meet a surface twice within slack, in the cell or next to it: such a pair hides from states before
+/// and after it.
+template <class D>
+HWY_INLINE hn::Mask<D> twins(D d, const Events<D>& events, const Cell& cell, hn::Vec<D> from, hn::Vec<D> to) {
+  using V = hn::Vec<D>;
+  const V twice = hn::Add(events.slack, events.slack);
+  const auto gap = [&](std::size_t i) { return hn::Sub(events.second[i], events.first[i]); };
+  auto close = hn::MaskFromVec(hn::Zero(d));
+  for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i) close = hn::Or(close, hn::Le(gap(i), twice));
+  if (hn::AllFalse(d, close)) return close;
+  auto met = hn::MaskFromVec(hn::Zero(d));
+  for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i) {
+    const auto is_here =
+        hn::And(hn::Le(events.first[i], hn::Add(to, twice)), hn::Ge(events.second[i], hn::Sub(from, twice)));
+    met = hn::Or(met, hn::And(is_here, hn::Le(gap(i), twice)));
+  }
+  return met;
 }
 
 }  // namespace HWY_NAMESPACE

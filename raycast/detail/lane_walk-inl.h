@@ -91,6 +91,9 @@ class Walk {
     return signs;
   }
 
+  HWY_INLINE U state_at(const Cell& cell, V at) const { return event_state(D(), events_, cell, at); }
+  HWY_INLINE M value_of(const Cell& cell, U state) const { return cell_value(D(), cells_, cell, state); }
+
   HWY_INLINE void clip(V& from, V& to) const {
     const D d;
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -190,29 +193,11 @@ class Walk {
     cell_events(d, scene_, line_, cells_, cell, departures_, events_);
     if constexpr (certified) {
       flag(hn::And(active, events_.flagged));
-      if (cell.may_have_twins) flag(hn::And(active, twins(cell, from, to)));
+      if (cell.may_have_twins) flag(hn::And(active, twins(d, events_, cell, from, to)));
       active = hn::And(active, live_);
     }
     if (!hn::AllFalse(d, hn::And(starting, live_))) start(cell, hn::And(starting, live_));
     sweep(cell, from, to, hn::And(active, live_));
-  }
-
-  /// The lanes that meet a surface twice within slack, in the cell or next to it: such a pair hides from states before
-  /// and after it.
-  HWY_INLINE M twins(const Cell& cell, V from, V to) const {
-    const D d;
-    const V twice = hn::Add(events_.slack, events_.slack);
-    M close = hn::MaskFromVec(hn::Zero(d));
-    for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i)
-      close = hn::Or(close, hn::Le(hn::Sub(events_.second[i], events_.first[i]), twice));
-    if (hn::AllFalse(d, close)) return close;
-    M met = hn::MaskFromVec(hn::Zero(d));
-    for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i) {
-      const V first = events_.first[i], second = events_.second[i];
-      const M is_here = hn::And(hn::Le(first, hn::Add(to, twice)), hn::Ge(second, hn::Sub(from, twice)));
-      met = hn::Or(met, hn::And(is_here, hn::Le(hn::Sub(second, first), twice)));
-    }
-    return met;
   }
 
   /// What lanes start in; those with an event at the start are flagged.
@@ -224,47 +209,6 @@ class Walk {
     const M differs = hn::And(lanes, hn::RebindMask(d, hn::Ne(before, after)));
     flag(differs);
     begin(hn::AndNot(differs, lanes), value_of(cell, after));
-  }
-
-  HWY_INLINE V next_after(const Cell& cell, V at) const {
-    const D d;
-    const V never = hn::Inf(d);
-    V next = never;
-    for (std::size_t i = 0; i < cell.slot_count; ++i) {
-      const V first = events_.first[i];
-      next = hn::Min(next, hn::IfThenElse(hn::Gt(first, at), first, never));
-    }
-    for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i) {
-      const V second = events_.second[i];
-      next = hn::Min(next, hn::IfThenElse(hn::Gt(second, at), second, never));
-    }
-    return next;
-  }
-
-  HWY_INLINE U state_at(const Cell& cell, V at) const {
-    const Bits bits;
-    U state = events_.before;
-    U bit = hn::Set(bits, 1);
-    const auto pass = [&](V event) {
-      state = hn::Xor(state, hn::IfThenElseZero(hn::RebindMask(bits, hn::Le(event, at)), bit));
-    };
-    std::size_t i = 0;
-    for (; i < cell.plane_count; ++i, bit = hn::Add(bit, bit)) pass(events_.first[i]);
-    for (; i < cell.slot_count; ++i, bit = hn::Add(bit, bit)) {
-      pass(events_.first[i]);
-      pass(events_.second[i]);
-    }
-    return state;
-  }
-
-  HWY_INLINE M value_of(const Cell& cell, U state) const {
-    const D d;
-    const Bits bits;
-    if (cell.step_count == 0) {
-      const U word = hn::Shr(hn::Set(bits, cell.table), state);
-      return hn::RebindMask(d, hn::Ne(hn::And(word, hn::Set(bits, 1)), hn::Zero(bits)));
-    }
-    return hn::RebindMask(d, value_by_steps(d, cells_, cell, state));
   }
 
   /// Event by event, as long as some lane has one in the cell. An event counts as certain if no other is within slack
@@ -279,7 +223,7 @@ class Walk {
     V at = hn::IfThenElse(covered_lanes_, covered_, hn::Add(from, slack));
     covered_ = hn::IfThenElse(active, hn::Max(limit, at), covered_);
     covered_lanes_ = hn::Or(covered_lanes_, active);
-    V next = next_after(cell, at);
+    V next = next_event(d, events_, cell, at);
     // The lanes with an event to look at. Close to the end of what is asked nothing is certain.
     const auto due = [&](M lanes) {
       const M todo = hn::And(lanes, hn::Le(next, limit));
@@ -311,7 +255,7 @@ class Walk {
       state = after;
       now_inside_ = hn::Or(hn::AndNot(changes, now_inside_), hn::And(changes, value));
       at = hn::Add(next, slack);
-      next = next_after(cell, at);
+      next = next_event(d, events_, cell, at);
       todo = due(hn::And(todo, live_));
     }
   }

@@ -17,13 +17,19 @@
 
 #include "csg/vector_lanes-inl.h"
 #include "raycast/detail/lane_line-inl.h"
-// The others build on it.
+// Each builds on those before it.
+#include "raycast/detail/lane_quadratic-inl.h"
+// The blank comments keep the order.
 #include "raycast/detail/lane_events-inl.h"
-#include "raycast/detail/lane_round-inl.h"
-// These on both.
-#include "raycast/detail/lane_hits-inl.h"
-#include "raycast/detail/lane_log-inl.h"
+//
 #include "raycast/detail/lane_values-inl.h"
+//
+#include "raycast/detail/lane_round-inl.h"
+//
+#include "raycast/detail/lane_hits-inl.h"
+//
+#include "raycast/detail/lane_log-inl.h"
+//
 #include "raycast/detail/lane_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();

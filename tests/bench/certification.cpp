@@ -97,7 +97,8 @@ class LaneRun {
   double lists(const detail::LaneCode& code) {
     return seconds([&] {
       intervals_.clear();
-      code.packet.lists(cells_.scene(), cells_.data(), rays_, {&intervals_, ends_.data(), &left_}, counts_);
+      code.packet.lists(cells_.scene(), cells_.data(), rays_,
+                        {.intervals = &intervals_, .ends = ends_.data(), .left = &left_}, counts_);
     });
   }
 
