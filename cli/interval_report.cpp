@@ -22,13 +22,13 @@ std::string coordinates(const Triple<Tag>& t) {
 }
 
 /// The angle between the ray and the face's normal in degrees, 0 to 90, to two digits.
-std::string obliquity(const Ray& ray, const std::optional<Attribution>& face) {
+std::string obliquity(const Ray& ray, const std::optional<EndFace>& face) {
   if (!face) return "-";
   const double cosine = std::min(1.0, std::fabs(dot(normalised(ray.direction()), face->normal)));
   return fmt::format("{:.2f}", std::acos(cosine) * 180 / std::numbers::pi);
 }
 
-void append_normal(std::string& out, const std::optional<Attribution>& face) {
+void append_normal(std::string& out, const std::optional<EndFace>& face) {
   out += ',';
   if (!face) {
     out += ",,";
@@ -37,7 +37,7 @@ void append_normal(std::string& out, const std::optional<Attribution>& face) {
   out += coordinates(face->normal);
 }
 
-void json_normal(Json& json, const char* name, const std::optional<Attribution>& face) {
+void json_normal(Json& json, const char* name, const std::optional<EndFace>& face) {
   json.key(name);
   if (face) {
     json.value(face->normal);
@@ -142,7 +142,7 @@ void IntervalReport::append_table(std::string& out, std::uint64_t index, const R
                {"entry_solid", left},
                {"exit_solid", left},
                {"part", left}});
-  const auto solid = [&](const std::optional<Attribution>& face) {
+  const auto solid = [&](const std::optional<EndFace>& face) {
     return face ? fmt::format("{} {}", word(scene_.leaf(face->leaf).kind), solid_place(face)) : "-";
   };
   for (const FacedInterval& faced : intervals) {
@@ -156,7 +156,7 @@ void IntervalReport::append_table(std::string& out, std::uint64_t index, const R
 }
 
 /// `line:column` of the leaf that a face belongs to; empty without a face.
-std::string IntervalReport::solid_place(const std::optional<Attribution>& face) const {
+std::string IntervalReport::solid_place(const std::optional<EndFace>& face) const {
   if (!face) return {};
   const Place& place = scene_.leaf(face->leaf).place;
   return fmt::format("{}:{}", place.line, place.column);

@@ -17,8 +17,8 @@ namespace csgcast::cli {
 /// An interval with what is at its ends; an end that no surface makes (cut off, or infinite) has no face.
 struct FacedInterval {
   Interval interval;
-  std::optional<Attribution> entry;
-  std::optional<Attribution> exit;
+  std::optional<EndFace> entry;
+  std::optional<EndFace> exit;
   PartId part;  ///< not valid outside every part
 };
 
@@ -39,7 +39,7 @@ class IntervalReport {
                    std::span<const FacedInterval> intervals) const;
   void append_table(std::string& out, std::uint64_t index, const Ray& ray,
                     std::span<const FacedInterval> intervals) const;
-  std::string solid_place(const std::optional<Attribution>& face) const;
+  std::string solid_place(const std::optional<EndFace>& face) const;
   const std::string* part_name(PartId part) const;
 
   const Scene& scene_;

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
 #include <optional>
+#include <system_error>
 
 #include "cli/commands.h"
 #include "cli/distinct_files.h"
 #include "cli/interval_report.h"
 #include "cli/rows_option.h"
 #include "raycast/caster.h"
+#include "raycast/cells.h"
+#include "raycast/packet_caster.h"
 
 namespace csgcast::cli {
 namespace {
@@ -40,8 +46,22 @@ Span IntervalsOptions::span() const {
 /// What one thread needs to answer rays.
 class IntervalWorker {
  public:
-  IntervalWorker(const Scene& scene, const IntervalReport& report, const Rows& rows, Span span, By by)
-      : caster_(scene), report_(report), rows_(rows), span_(span), by_(by) {}
+  /// `cells`: of the whole solid, to answer by them; null: without. Precondition: they suit().
+  IntervalWorker(const Scene& scene, const Cells* cells, const IntervalReport& report, const Rows& rows, Span span,
+                 By by)
+      : caster_(scene), report_(report), rows_(rows), span_(span), by_(by) {
+    if (cells != nullptr) packets_.emplace(*cells, PacketCaster::Width::single);
+  }
+
+  /// Whether cells can answer, and take less time to be made than they save.
+  static bool suits(const Scene& scene, const RowsOption& rays, Span span, By by) {
+    if (by != By::scene || !(span.from == 0 || std::isinf(span.from))) return false;
+    std::error_code ignored;
+    const auto bytes = std::filesystem::file_size(rays.file, ignored);
+    constexpr std::size_t bytes_of_ray = 50;
+    constexpr std::size_t rays_of_leaf = 4;  // that take as long without cells as making them, a leaf
+    return !ignored && bytes / bytes_of_ray > rays_of_leaf * scene.leaves().size();
+  }
 
   void operator()(const NumberRow& row, std::string& text) {
     const auto& v = row.values;
@@ -53,13 +73,14 @@ class IntervalWorker {
                    "coordinates up to 2^400 and directions from 2^-400 to 2^400 work", "choose another unit of length");
     }
     const Ray ray({v[0], v[1], v[2]}, {v[3], v[4], v[5]});
-    caster_.begin(ray);
     found_.clear();
     const Scene& scene = caster_.scene();
-    if (by_ == By::scene) {
-      add(scene.root(), std::nullopt);
+    if (packets_) {
+      add_by_cells(v.data(), ray);
     } else {
-      for (std::uint32_t i = 0; i < scene.parts().size(); ++i) add(scene.parts()[i].node, PartId(i));
+      caster_.begin(ray);
+      if (by_ == By::scene) add(scene.root(), std::nullopt);
+      for (std::uint32_t i = 0; by_ == By::part && i < scene.parts().size(); ++i) add(scene.parts()[i].node, PartId(i));
     }
     report_.append(text, row.index, ray, found_);
   }
@@ -76,17 +97,42 @@ class IntervalWorker {
     }
   }
 
-  std::optional<Attribution> face(NodeId node, const Crossing& crossing, Passage passage) {
+  /// Those of the whole solid. `numbers`: the ray's.
+  void add_by_cells(const double* numbers, const Ray& ray) {
+    RayArrays arrays;
+    arrays.count = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      arrays.origin[axis] = numbers + axis;
+      arrays.direction[axis] = numbers + 3 + axis;
+    }
+    arrays.whole_line = span_.from != 0;
+    if (span_.to < std::numeric_limits<double>::infinity()) arrays.end = &span_.to;
+    packets_->intervals(arrays, batch_, Rounding::nearest, PacketCaster::Ends::faces);
+    bool is_begun = false;
+    const auto face = [&](std::size_t end) {
+      return batch_.faces[end].leaf.valid() ? std::optional(batch_.faces[end]) : std::nullopt;
+    };
+    for (std::size_t i = 0; i < batch_.intervals.size(); ++i) {
+      FacedInterval faced{batch_.intervals[i], face(2 * i), face(2 * i + 1), {}};
+      if (!faced.entry && !is_begun) caster_.begin(ray);
+      is_begun = is_begun || !faced.entry;
+      faced.part = part_of(faced);
+      found_.push_back(faced);
+    }
+  }
+
+  std::optional<EndFace> face(NodeId node, const Crossing& crossing, Passage passage) {
     if (!crossing.surface.valid()) return std::nullopt;
-    return caster_.attribute(node, {crossing, passage});
+    const Attribution found = caster_.attribute(node, {crossing, passage});
+    return EndFace{found.leaf, found.look, found.normal};
   }
 
   /// The part of the entry's face. Of an interval that is cut off at its start: the first part in file order that the
   /// ray is in there, which intervals tell exactly, where the coordinates of the start would be rounded.
   PartId part_of(const FacedInterval& faced) {
-    if (faced.entry) return faced.entry->part;
-    const auto [start, end] = faced.interval;
     const Scene& scene = caster_.scene();
+    if (faced.entry) return scene.leaf(faced.entry->leaf).part;
+    const auto [start, end] = faced.interval;
     for (std::uint32_t i = 0; i < scene.parts().size(); ++i) {
       caster_.intervals(scene.parts()[i].node, part_list_, {start.t, end.t});
       if (!part_list_.empty() && part_list_.front().entry.t == start.t) return PartId(i);
@@ -95,6 +141,8 @@ class IntervalWorker {
   }
 
   Caster caster_;
+  std::optional<PacketCaster> packets_;
+  IntervalBatch batch_;
   const IntervalReport& report_;
   const Rows& rows_;
   Span span_;
@@ -116,9 +164,11 @@ void run(const IntervalsOptions& options) {
                 "name some with part(\"name\") { .. }, or leave --by out");
   }
   const IntervalReport report(input.scene, options.format);
+  std::optional<Cells> cells;
+  if (IntervalWorker::suits(input.scene, options.rays, span, options.by)) cells.emplace(input.scene);
   output.write(report.head());
   answer_rows([&](NumberRow& row) { return rows.next(row); }, output, thread_count(options.scene),
-              [&] { return IntervalWorker(input.scene, report, rows, span, options.by); });
+              [&] { return IntervalWorker(input.scene, cells ? &*cells : nullptr, report, rows, span, options.by); });
   output.write(report.tail());
   output.commit();
 }

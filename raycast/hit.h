@@ -24,10 +24,11 @@ struct Interval {
   Crossing exit;
 };
 
-/// Whose face an end of an interval is, and what that shows; neither is valid where no surface makes the end.
+/// The face at an end of an interval: whose it is and what it shows, not valid where no surface makes the end.
 struct EndFace {
   LeafId leaf;
   LookId look;
+  Normal normal{};  ///< unit, out of the solid
 };
 
 /// Sorted, disjoint, non-touching intervals.

@@ -164,7 +164,7 @@ void LayerCaster::look_through(const Ray& ray, const std::optional<Departure>& d
   Query query(ray, departure, end, scene_.frame());
   bool are_certain = true;
   for (std::size_t layer = 0; layer < casters_.size(); ++layer) {
-    casters_[layer].interval_faces(query.arrays, lists_[layer], Rounding::close);
+    casters_[layer].intervals(query.arrays, lists_[layer], Rounding::close, PacketCaster::Ends::owners);
     are_certain = are_certain && casters_[layer].left_to_caster().empty();
     spans_[layer] = lists_[layer].intervals;
   }

@@ -134,13 +134,13 @@ struct PacketCaster::State {
   EndFace face_of(const Crossing& crossing, Passage passage) {
     if (!crossing.surface.valid()) return {};
     const Attribution face = caster.attribute(cells.node(), {crossing, passage});
-    return {face.leaf, face.look};
+    return {face.leaf, face.look, face.normal};
   }
 
   // Lists of rays that lanes left have none yet: they are put in, from the last one on. `base`: how many rays the batch
   // had before.
   void insert_left(const RayArrays& rays, std::size_t base, std::size_t left_before, IntervalBatch& batch,
-                   Rounding rounding, bool wants_faces) {
+                   Rounding rounding, Ends ends) {
     for (std::size_t k = left.size(); k-- > left_before;) {
       const std::size_t i = left[k];
       begin(caster, rays, i);
@@ -148,7 +148,7 @@ struct PacketCaster::State {
       const auto at = static_cast<std::ptrdiff_t>(batch.offsets[base + i]);
       batch.intervals.insert(batch.intervals.begin() + at, list.begin(), list.end());
       for (std::size_t ray = base + i; ray < base + rays.count; ++ray) batch.offsets[ray + 1] += list.size();
-      if (wants_faces) batch.faces.insert(batch.faces.begin() + 2 * at, 2 * list.size(), EndFace());
+      if (ends != Ends::bare) batch.faces.insert(batch.faces.begin() + 2 * at, 2 * list.size(), EndFace());
     }
   }
 
@@ -181,29 +181,42 @@ struct PacketCaster::State {
     }
   }
 
+  // No list for any ray yet.
+  void leave_all(const RayArrays& rays, std::size_t base, IntervalBatch& batch) {
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      batch.offsets[base + i + 1] = batch.intervals.size();
+      left.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+
   // Adds the lists of some rays to the batch.
-  void add(const RayArrays& rays, std::size_t base, IntervalBatch& batch, Rounding rounding, bool wants_faces) {
+  void add(const RayArrays& rays, std::size_t base, IntervalBatch& batch, Rounding rounding, Ends ends) {
     batch.offsets.resize(base + rays.count + 1);
     const std::size_t left_before = left.size();
     unrounded.clear();
     const detail::LaneLists lists{.intervals = &batch.intervals,
-                                  .faces = wants_faces ? &batch.faces : nullptr,
+                                  .faces = ends != Ends::bare ? &batch.faces : nullptr,
+                                  .wants_normals = ends == Ends::faces,
                                   .ends = batch.offsets.data() + base + 1,
                                   .left = &left,
                                   .rounds = rounding == Rounding::nearest,
                                   .unrounded = &unrounded};
-    code.lists(cells.scene(), cells.data(), rays, lists, counts);
+    if (ends == Ends::faces && !cells.scene().bounded_leaves().is_finite()) {
+      leave_all(rays, base, batch);  // places are computed another way (LineCache::point)
+    } else {
+      code.lists(cells.scene(), cells.data(), rays, lists, counts);
+    }
     round(rays, base, batch);
-    insert_left(rays, base, left_before, batch, rounding, wants_faces);
-    if (wants_faces) tell_faces(rays, base, batch);
+    insert_left(rays, base, left_before, batch, rounding, ends);
+    if (ends != Ends::bare) tell_faces(rays, base, batch);
     for (std::size_t k = left_before; k < left.size(); ++k) left[k] += static_cast<std::uint32_t>(base);
   }
 
-  void fill(const RayArrays& rays, IntervalBatch& batch, Rounding rounding, bool wants_faces) {
+  void fill(const RayArrays& rays, IntervalBatch& batch, Rounding rounding, Ends ends) {
     clear(batch);
     // In pieces: what is put in between (insert_left) moves but little.
     for (std::size_t begin = 0; begin < rays.count; begin += rays_at_once)
-      add(part(rays, begin, std::min(rays_at_once, rays.count - begin)), begin, batch, rounding, wants_faces);
+      add(part(rays, begin, std::min(rays_at_once, rays.count - begin)), begin, batch, rounding, ends);
   }
 
   void clear(IntervalBatch& batch) {
@@ -288,12 +301,8 @@ void PacketCaster::any_hits(std::span<const Ray> rays, std::span<std::uint8_t> h
   state_->left.swap(left);
 }
 
-void PacketCaster::intervals(const RayArrays& rays, IntervalBatch& batch, Rounding rounding) {
-  state_->fill(rays, batch, rounding, false);
-}
-
-void PacketCaster::interval_faces(const RayArrays& rays, IntervalBatch& batch, Rounding rounding) {
-  state_->fill(rays, batch, rounding, true);
+void PacketCaster::intervals(const RayArrays& rays, IntervalBatch& batch, Rounding rounding, Ends ends) {
+  state_->fill(rays, batch, rounding, ends);
 }
 
 void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span, Rounding rounding) {
@@ -307,7 +316,7 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
     some.whole_line = span.from != 0;
     some.end = span.to == HUGE_VAL ? nullptr : end.data();
     if (fits_lanes) {
-      state.add(some, begin, batch, rounding, false);
+      state.add(some, begin, batch, rounding, Ends::bare);
       continue;
     }
     for (std::size_t i = begin; i < begin + some.count; ++i) {

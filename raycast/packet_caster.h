@@ -51,10 +51,15 @@ class PacketCaster {
   void first_hits(const RayArrays& rays, const HitArrays& hits, Rounding rounding = Rounding::nearest);
   /// Whether each ray meets the inside of the solid: Caster::any_hit. 1 or 0, as many as rays.
   void any_hits(const RayArrays& rays, std::uint8_t* hits);
+  /// What is told of the ends of intervals.
+  enum class Ends : std::uint8_t {
+    bare,    ///< the crossings
+    owners,  ///< and whose faces they are and what these show, as Caster::attribute tells it
+    faces,   ///< and the faces' normals
+  };
   /// All intervals of each ray: Caster::intervals. Overwrites the batch.
-  void intervals(const RayArrays& rays, IntervalBatch& batch, Rounding rounding = Rounding::nearest);
-  /// And the faces at their ends: the leaf and the look that Caster::attribute tells.
-  void interval_faces(const RayArrays& rays, IntervalBatch& batch, Rounding rounding = Rounding::nearest);
+  void intervals(const RayArrays& rays, IntervalBatch& batch, Rounding rounding = Rounding::nearest,
+                 Ends ends = Ends::bare);
   /// What Caster::first_hit and attribute say, for pictures. t: Rounding::close.
   void first_faces(const RayArrays& rays, const FaceArrays& faces);
 

@@ -33,6 +33,16 @@ class EndLog {
     masks_[rows_++] = mask[0];
   }
 
+  /// Of the row that was added last.
+  HWY_INLINE void set_normals(const Triples<hn::Vec<D>>& normals) {
+    const D d;
+    if (normal_.size() < 3 * t_.size()) normal_.resize(3 * t_.size());
+    double* const to = normal_.data() + 3 * lanes_ * (rows_ - 1);
+    hn::StoreU(normals.x, d, to);
+    hn::StoreU(normals.y, d, to + lanes_);
+    hn::StoreU(normals.z, d, to + 2 * lanes_);
+  }
+
   std::size_t rows() const { return rows_; }
   unsigned mask(std::size_t row) const { return masks_[row]; }
   Crossing at(std::size_t row, std::size_t lane) const {
@@ -43,6 +53,10 @@ class EndLog {
   EndFace face_at(std::size_t row, std::size_t lane) const {
     const std::uint64_t face = face_[row * lanes_ + lane];
     return {LeafId(static_cast<std::uint32_t>(face)), LookId(static_cast<std::uint32_t>(face >> 32))};
+  }
+  Normal normal_at(std::size_t row, std::size_t lane) const {
+    const double* const normals = normal_.data() + 3 * lanes_ * row + lane;
+    return {normals[0], normals[lanes_], normals[2 * lanes_]};
   }
 
  private:
@@ -58,6 +72,7 @@ class EndLog {
   std::vector<double> t_;
   std::vector<std::uint64_t> where_;
   std::vector<std::uint64_t> face_;
+  std::vector<double> normal_;  // once some are set
   std::vector<std::uint8_t> masks_;
 };
 

@@ -69,6 +69,8 @@ class Walk {
 
   /// Whether t of ends is to be the nearest double, where lanes can tell.
   void set_rounds(bool rounds) { rounds_ = rounds; }
+  /// Whether normals of ends are wanted.
+  void set_wants_normals(bool wants) { wants_normals_ = wants; }
 
   M flagged() const { return flagged_; }
   M found() const { return found_; }        ///< the lanes that have an answer but a miss
@@ -292,14 +294,14 @@ class Walk {
     const auto lanes = hn::RebindMask(bits, changes);
     const U index = logarithm(D(), flips);
     const M rises = hn::RebindMask(D(), hn::Ne(hn::And(flips, after), hn::Zero(bits)));
-    if constexpr (wanted == Wanted::all) return append(cell, changes, index, rises);
+    if constexpr (wanted == Wanted::all) return append(cell, changes, index, rises, hn::Not(now_inside_));
     slot_ = hn::IfThenElse(lanes, hn::Add(hn::Set(bits, cell.first_slot), index), slot_);
     rises_ = hn::Or(rises_, hn::And(changes, rises));
     found_ = hn::Or(found_, changes);
     live_ = hn::AndNot(changes, live_);
   }
 
-  void append(const Cell& cell, M changes, U index, M rises) {
+  void append(const Cell& cell, M changes, U index, M rises, M enters) {
     const D d;
     const Bits bits;
     HWY_ALIGN std::uint64_t indices[16];
@@ -307,6 +309,7 @@ class Walk {
     V t = hn::Zero(d);
     U where = hn::Zero(bits);
     U face = hn::Zero(bits);
+    Triples<V> normals{t, t, t};
     for (M rest = changes; !hn::AllFalse(d, rest);) {
       const std::uint64_t i = indices[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
       const M same = hn::And(rest, hn::RebindMask(d, hn::Eq(index, hn::Set(bits, i))));
@@ -331,8 +334,15 @@ class Walk {
       const auto in_bits = hn::RebindMask(bits, same);
       where = hn::IfThenElse(in_bits, hn::Or(hn::Set(bits, id), root), where);
       face = hn::IfThenElse(in_bits, hn::Set(bits, slot.leaf | std::uint64_t{slot.look} << 32), face);
+      if (!wants_normals_) continue;
+      const Triples<V> place = place_of(d, line_, scene_.frame(), tau);
+      normals = choose(same, unit_gradient(d, surface, cells_.normals[id], scene_.frame(), place), normals);
     }
     ends_->add(changes, t, where, face);
+    if (wants_normals_) {
+      flag(hn::And(changes, hn::Eq(longest(normals), hn::Zero(d))));
+      ends_->set_normals(choose(hn::Xor(enters, rises), normals, -normals));
+    }
     count_ = hn::Add(count_, hn::IfThenElseZero(hn::RebindMask(bits, changes), hn::Set(bits, 1)));
   }
 
@@ -348,6 +358,7 @@ class Walk {
   M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_, unrounded_, covered_lanes_;
   V covered_;
   bool rounds_ = false;
+  bool wants_normals_ = false;
   U slot_, count_;
 };
 

@@ -214,7 +214,11 @@ HWY_INLINE void append_lists(D d, const RayArrays& rays, std::size_t first, std:
   for (std::size_t row = 0; row < log.rows(); ++row) {
     for (unsigned rest = told & log.mask(row); rest != 0; rest &= rest - 1) {
       const auto lane = static_cast<std::size_t>(__builtin_ctz(rest));
-      put(lane, log.at(row, lane), [&] { return log.face_at(row, lane); });
+      put(lane, log.at(row, lane), [&] {
+        EndFace face = log.face_at(row, lane);
+        if (lists.wants_normals) face.normal = log.normal_at(row, lane);
+        return face;
+      });
     }
   }
   for (unsigned rest = told & end_inside; rest != 0; rest &= rest - 1) {
@@ -233,6 +237,7 @@ void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays
   EndLog<D> log;
   Walk<D, Wanted::all> walk(scene, cells, line, rays.departure != nullptr ? &departures : nullptr, &log, counts);
   walk.set_rounds(lists.rounds);
+  walk.set_wants_normals(lists.wants_normals);
   for (std::size_t first = 0; first < rays.count; first += lanes) {
     const std::size_t count = HWY_MIN(lanes, rays.count - first);
     if (rays.departure != nullptr) set_departures(d, rays, first, count, departures);

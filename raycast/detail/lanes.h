@@ -33,6 +33,7 @@ struct LaneHits {
 struct LaneLists {
   std::vector<Interval>* intervals = nullptr;       ///< they are appended, ray after ray
   std::vector<EndFace>* faces = nullptr;            ///< the same of their ends; may be null. Not valid: unknown
+  bool wants_normals = false;                       ///< of the faces
   std::size_t* ends = nullptr;                      ///< by ray: how many intervals there are after its own
   std::vector<std::uint32_t>* left = nullptr;       ///< gets the rays that lanes cannot tell all about: they have none
   bool rounds = false;                              ///< t is wanted rounded to nearest

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <sstream>
+
 #include "tests/cli/program.h"
 #include "tests/support/catch.h"
 
@@ -172,6 +174,34 @@ TEST_CASE("many rays keep their order on any number of threads") {
     const Outcome outcome = intervals(folder, {"--rays", "rays.csv", "--format", "csv", "--threads", threads});
     CHECK(outcome.exit_code == 0);
     CHECK((outcome.out == expected));
+  }
+}
+
+TEST_CASE("a long file of rays, which cells answer, has the same intervals as the same rays one by one") {
+  const SceneFolder folder;
+  const std::vector<std::string> starts{"-3,0.1,0.2,1,0.01,0", "0,0,5,0.1,0.2,1",  "-3,0,0,1,0,0", "0,0,-9,0,0,2",
+                                        "0.7,0.2,0.1,3,1,-2",  "-4,-3,6,4,3.5,-1", "9,9,9,1,1,1",  "1,1,-3,0,0,1"};
+  std::string many;
+  for (int i = 0; i < 40; ++i)
+    for (const std::string& start : starts) many += start + std::string(20, ' ') + "\n";
+  folder.write("rays.csv", many);
+  for (const std::vector<std::string>& span :
+       {std::vector<std::string>{}, {"--line"}, {"--tmax", "2.25"}, {"--tmin", "-inf", "--tmax", "2.25"}}) {
+    std::string expected = columns;
+    std::vector<std::string> lists;
+    for (const std::string& start : starts) {
+      std::vector<std::string> arguments{"--ray", start, "--format", "csv"};
+      arguments.insert(arguments.end(), span.begin(), span.end());
+      lists.push_back(intervals(folder, arguments).out.substr(columns.size()));
+    }
+    for (std::size_t i = 0; i < 40 * starts.size(); ++i) {
+      std::istringstream lines(lists[i % starts.size()]);
+      for (std::string line; std::getline(lines, line);)
+        expected += std::to_string(i) + line.substr(line.find(',')) + "\n";
+    }
+    std::vector<std::string> arguments{"--rays", "rays.csv", "--format", "csv"};
+    arguments.insert(arguments.end(), span.begin(), span.end());
+    CHECK(intervals(folder, arguments).out == expected);
   }
 }
 

@@ -160,7 +160,7 @@ TEST_CASE("lists of rays that depart, and the faces at their ends, are the scala
       for (const Rounding rounding : {Rounding::nearest, Rounding::close}) {
         PacketCaster caster(cells, width);
         IntervalBatch batch;
-        caster.interval_faces(departing, batch, rounding);
+        caster.intervals(departing, batch, rounding, PacketCaster::Ends::faces);
         CHECK(caster.left_to_caster().size() < rays.size());
         REQUIRE(batch.faces.size() == 2 * batch.intervals.size());
         for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -181,6 +181,7 @@ TEST_CASE("lists of rays that depart, and the faces at their ends, are the scala
               const Attribution expected = scalar.attribute({end, passage});
               CHECK(face.leaf == expected.leaf);
               CHECK(face.look == expected.look);
+              CHECK(face.normal == expected.normal);
             }
           }
         }
