@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "raycast/detail/box_line.h"
 #include "raycast/detail/layer_sweep.h"
 
 namespace csgcast {
@@ -48,6 +49,11 @@ struct LayerCaster::Query {
   }
   Query(const Query&) = delete;
 
+  bool may_meet(const Box& box) const {
+    Span span{0, end};
+    return detail::may_meet(box, ray, span);
+  }
+
   const Ray& ray;
   const std::optional<Departure>& departure;
   std::array<double, 3> origin, direction;
@@ -69,6 +75,9 @@ LayerCaster::LayerCaster(const LayerCells& cells, Caster& caster)
 }
 
 void LayerCaster::meet(std::size_t layer, const Query& query) {
+  Meeting& meeting = meetings_[layer];
+  meeting.hits = meeting.is_inside = false;
+  if (!query.may_meet(box_of(layer))) return;
   std::uint8_t state, is_inside, comes_positive, root;
   double t;
   std::uint32_t surface, look, leaf;
@@ -87,7 +96,6 @@ void LayerCaster::meet(std::size_t layer, const Query& query) {
     faces.normal[axis] = &normal[axis];
   }
   casters_[layer].first_faces(query.arrays, faces);
-  Meeting& meeting = meetings_[layer];
   meeting.hits = state != FaceArrays::none;
   meeting.is_inside = is_inside != 0;
   if (!meeting.hits) return;
@@ -164,6 +172,8 @@ void LayerCaster::look_through(const Ray& ray, const std::optional<Departure>& d
   Query query(ray, departure, end, scene_.frame());
   bool are_certain = true;
   for (std::size_t layer = 0; layer < casters_.size(); ++layer) {
+    spans_[layer] = {};
+    if (!query.may_meet(box_of(layer))) continue;
     casters_[layer].intervals(query.arrays, lists_[layer], Rounding::close, PacketCaster::Ends::owners);
     are_certain = are_certain && casters_[layer].left_to_caster().empty();
     spans_[layer] = lists_[layer].intervals;

@@ -74,6 +74,7 @@ class LayerCaster {
   bool far_apart(const Crossing& a, const Crossing& b, const Query& query) const;
   std::weak_ordering exact_order(const Crossing& a, const Crossing& b, Query& query);
   std::size_t holder() const;
+  const Box& box_of(std::size_t layer) const { return scene_.node(scene_.layers()[layer].node).box; }
 
   const Scene& scene_;
   Caster& caster_;
