@@ -80,7 +80,7 @@ void LayerCaster::meet(std::size_t layer, const Query& query) {
   if (!query.may_meet(box_of(layer))) return;
   std::uint8_t state, is_inside, comes_positive, root;
   double t;
-  std::uint32_t surface, look, leaf;
+  std::uint32_t surface, look;
   double point[3], normal[3];
   FaceArrays faces;
   faces.state = &state;
@@ -89,7 +89,6 @@ void LayerCaster::meet(std::size_t layer, const Query& query) {
   faces.surface = &surface;
   faces.root = &root;
   faces.look = &look;
-  faces.leaf = &leaf;
   faces.comes_positive = &comes_positive;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     faces.point[axis] = &point[axis];
@@ -102,10 +101,9 @@ void LayerCaster::meet(std::size_t layer, const Query& query) {
   meeting.enters = state == FaceArrays::entry;
   meeting.is_certain = casters_[layer].left_to_caster().empty();
   meeting.crossing = {t, SurfaceId(surface), root};
-  const Leaf& owner = scene_.leaf(LeafId(leaf));
-  meeting.face = {LeafId(leaf),
-                  owner.region,
-                  owner.part,
+  meeting.face = {{},
+                  {},
+                  {},
                   LookId(look),
                   {point[0], point[1], point[2]},
                   as_normal({normal[0], normal[1], normal[2]}),
@@ -174,7 +172,7 @@ void LayerCaster::look_through(const Ray& ray, const std::optional<Departure>& d
   for (std::size_t layer = 0; layer < casters_.size(); ++layer) {
     spans_[layer] = {};
     if (!query.may_meet(box_of(layer))) continue;
-    casters_[layer].intervals(query.arrays, lists_[layer], Rounding::close, PacketCaster::Ends::owners);
+    casters_[layer].intervals(query.arrays, lists_[layer], Rounding::close, PacketCaster::Ends::looks);
     are_certain = are_certain && casters_[layer].left_to_caster().empty();
     spans_[layer] = lists_[layer].intervals;
   }

@@ -46,6 +46,7 @@ class LayerCaster {
   /// In [0, end).
   Outcome look(const Ray& ray, const std::optional<Departure>& departure, double end);
   const Interface& change() const { return change_; }
+  /// Without its leaf, region and part: these are not asked for.
   const Attribution& face() const { return face_; }
 
   /// All changes in [0, end), Caster::interfaces, and what their faces show. The vectors are overwritten.

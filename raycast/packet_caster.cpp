@@ -153,7 +153,10 @@ struct PacketCaster::State {
   }
 
   // The faces that lanes could not tell, or that are of rays they left.
-  void tell_faces(const RayArrays& rays, std::size_t base, IntervalBatch& batch) {
+  void tell_faces(const RayArrays& rays, std::size_t base, IntervalBatch& batch, Ends ends) {
+    const auto is_known = [&](const EndFace& face) {
+      return face.look.valid() && (face.leaf.valid() || ends == Ends::looks);
+    };
     for (std::size_t i = 0; i < rays.count; ++i) {
       bool is_begun = false;
       for (std::size_t end = 2 * batch.offsets[base + i]; end < 2 * batch.offsets[base + i + 1]; ++end) {
@@ -161,7 +164,7 @@ struct PacketCaster::State {
         const bool enters = end % 2 == 0;
         const Crossing& crossing = enters ? interval.entry : interval.exit;
         EndFace& face = batch.faces[end];
-        if (!crossing.surface.valid() || (face.leaf.valid() && face.look.valid())) continue;
+        if (!crossing.surface.valid() || is_known(face)) continue;
         if (!is_begun) begin(caster, rays, i);
         is_begun = true;
         face = face_of(crossing, enters ? Passage::entry : Passage::exit);
@@ -208,7 +211,7 @@ struct PacketCaster::State {
     }
     round(rays, base, batch);
     insert_left(rays, base, left_before, batch, rounding, ends);
-    if (ends != Ends::bare) tell_faces(rays, base, batch);
+    if (ends != Ends::bare) tell_faces(rays, base, batch, ends);
     for (std::size_t k = left_before; k < left.size(); ++k) left[k] += static_cast<std::uint32_t>(base);
   }
 

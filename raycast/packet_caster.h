@@ -53,9 +53,9 @@ class PacketCaster {
   void any_hits(const RayArrays& rays, std::uint8_t* hits);
   /// What is told of the ends of intervals.
   enum class Ends : std::uint8_t {
-    bare,    ///< the crossings
-    owners,  ///< and whose faces they are and what these show, as Caster::attribute tells it
-    faces,   ///< and the faces' normals
+    bare,   ///< the crossings
+    looks,  ///< and what the faces there show, as Caster::attribute tells it; the leaf only where that is known anyway
+    faces,  ///< and whose they are, and their normals
   };
   /// All intervals of each ray: Caster::intervals. Overwrites the batch.
   void intervals(const RayArrays& rays, IntervalBatch& batch, Rounding rounding = Rounding::nearest,

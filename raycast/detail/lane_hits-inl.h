@@ -13,11 +13,12 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// tau of the crossing at which the surface rises or falls, as filtered_plane and filtered_quadric give it
-/// (line_filter.cpp). Precondition: that they are certain, which they are where lanes were.
+/// tau of the crossing at which the surface rises or falls, as filtered_plane, filtered_quadric and, for rays that come
+/// back to the surface they depart from, `own`, filtered_departure give it (line_filter.cpp). Precondition: that they
+/// are certain, which they are where lanes were.
 template <class D>
-HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> rises,
-                                   hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
+HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> own,
+                                   hn::Mask<D> rises, hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto& k = surface.local;
@@ -43,7 +44,19 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
   is_second = hn::And(has_two, second);
   // Of a surface that matters far away, too, exact arithmetic finds the other one and may number them otherwise.
   is_open = surface.is_local ? hn::MaskFromVec(zero) : hn::Not(has_two);
-  return hn::IfThenElse(has_two, of_two, near);
+  const V tau = hn::IfThenElse(has_two, of_two, near);
+  if (hn::AllFalse(d, own)) return tau;
+  const V middle = hn::Sub(f.origin, hn::Div(f.b, f.a));
+  const V other = hn::Add(hn::Add(middle, middle), line.shift);
+  is_second = hn::AndNot(own, is_second);
+  is_open = hn::Or(is_open, hn::AndNot(has_two, own));
+  return hn::IfThenElse(own, other, tau);
+}
+
+/// The lanes that depart from a surface.
+template <class D>
+HWY_INLINE hn::Mask<D> own_lanes(D d, const Departures<D>* departures, std::uint32_t surface) {
+  return departures != nullptr ? departing_from(d, *departures, surface) : hn::MaskFromVec(hn::Zero(d));
 }
 
 template <class D>
@@ -116,9 +129,9 @@ struct Told {
 
 /// t, places and normals of the hits of one packet, surface by surface.
 template <class D>
-HWY_INLINE void tell_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line, hn::Mask<D> hits,
-                          hn::Vec<BitsOf<D>> surfaces, hn::Mask<D> rises, hn::Mask<D> enters, bool wants_faces,
-                          bool rounds, Told<D>& told) {
+HWY_INLINE void tell_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
+                          const Departures<D>* departures, hn::Mask<D> hits, hn::Vec<BitsOf<D>> surfaces,
+                          hn::Mask<D> rises, hn::Mask<D> enters, bool wants_faces, bool rounds, Told<D>& told) {
   using V = hn::Vec<D>;
   const BitsOf<D> bits;
   HWY_ALIGN std::uint64_t ids[16];
@@ -134,13 +147,14 @@ HWY_INLINE void tell_hits(D d, const Scene& scene, const CellData& cells, const 
     rest = hn::AndNot(same, rest);
     const Surface& surface = scene.surfaces()[id];
     hn::Mask<D> second, is_open;
-    const V own = crossing_tau(d, line, surface, rises, second, is_open);
+    const auto departing = own_lanes(d, departures, static_cast<std::uint32_t>(id));
+    const V own = crossing_tau(d, line, surface, departing, rises, second, is_open);
     told.left = hn::Or(told.left, hn::And(same, is_open));
     told.second = hn::Or(told.second, hn::And(same, second));
     tau = hn::IfThenElse(same, own, tau);
     if (rounds) {
       V nearest;
-      const auto certain = nearest_t_lanes(d, line, surface, own, nearest);
+      const auto certain = hn::AndNot(departing, nearest_t_lanes(d, line, surface, own, nearest));
       told.unrounded = hn::Or(told.unrounded, hn::AndNot(certain, same));
       told.t = hn::IfThenElse(hn::And(same, certain), nearest, told.t);
     }

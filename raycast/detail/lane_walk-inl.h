@@ -318,14 +318,13 @@ class Walk {
       const std::uint32_t id = slot.surface;
       M second, is_open;
       const Surface& surface = scene_.surfaces()[id];
-      const V tau = crossing_tau(d, line_, surface, rises, second, is_open);
+      const M own_surface = own_lanes(d, departures_, id);
+      const V tau = crossing_tau(d, line_, surface, own_surface, rises, second, is_open);
       flag(hn::And(same, is_open));
-      // Of the surface that a ray departs from, the scalar code tells by another form.
-      if (departures_ != nullptr) flag(hn::And(same, departing_from(d, *departures_, id)));
       V own = hn::Mul(hn::Add(line_.shift, tau), line_.unit);
       if (rounds_) {
         V nearest;
-        const M certain = nearest_t_lanes(d, line_, surface, tau, nearest);
+        const M certain = hn::AndNot(own_surface, nearest_t_lanes(d, line_, surface, tau, nearest));
         own = hn::IfThenElse(certain, nearest, own);
         unrounded_ = hn::Or(unrounded_, hn::AndNot(certain, same));
       }

@@ -100,26 +100,18 @@ HWY_INLINE void leave(std::vector<std::uint32_t>& left, std::size_t first, unsig
   counts.flagged += static_cast<std::uint64_t>(__builtin_popcount(lanes));
 }
 
-/// The lanes that come back to the surface that they depart from.
-template <class D>
-HWY_INLINE hn::Mask<D> hits_own_surface(D d, const CellData& cells, const Walk<D, Wanted::first>& walk,
-                                        const Departures<D>& departures, hn::Mask<D> found) {
-  if (hn::AllFalse(d, found)) return found;
-  const auto surface = owners_of(d, cells, walk.slot()).surface;
-  return hn::And(found, hn::RebindMask(d, hn::Eq(surface, departures.surface)));
-}
-
 /// What a packet's rays found first. Returns the lanes whose numbers need the scalar code.
 template <class D>
 HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
-                                  const Walk<D, Wanted::first>& walk, hn::Mask<D> found, std::size_t first,
-                                  std::size_t count, const LaneHits& hits) {
+                                  const Departures<D>* departures, const Walk<D, Wanted::first>& walk,
+                                  hn::Mask<D> found, std::size_t first, std::size_t count, const LaneHits& hits) {
   const FaceArrays& faces = hits.faces;
   const BitsOf<D> bits;
   const auto owners = owners_of(d, cells, walk.slot());
   const bool wants_faces = faces.point[0] != nullptr;
   Told<D> told;
-  tell_hits(d, scene, cells, line, found, owners.surface, walk.rises(), walk.inside(), wants_faces, hits.rounds, told);
+  tell_hits(d, scene, cells, line, departures, found, owners.surface, walk.rises(), walk.inside(), wants_faces,
+            hits.rounds, told);
   if (hits.rounds) add_lanes(*hits.unrounded, first, bits_of(d, told.unrounded));
   store_lanes(d, told.t, faces.t + first, count);
   store_ids(d, owners.surface, faces.surface + first, count);
@@ -163,13 +155,12 @@ void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, cons
     if (rays.departure != nullptr) set_departures(d, rays, first, count, departures);
     walk_packet(d, scene, cells, rays, first, count, line, walk, counts);
     auto left = walk.flagged();
-    auto found = hn::AndNot(left, walk.found());
+    const auto found = hn::AndNot(left, walk.found());
     if constexpr (wanted == Wanted::first) {
-      // Of the surface that a ray departs from, the scalar code tells by another form.
-      if (rays.departure != nullptr) left = hn::Or(left, hits_own_surface(d, cells, walk, departures, found));
-      found = hn::AndNot(left, found);
-      if (!hn::AllFalse(d, found))
-        left = hn::Or(left, store_hits(d, scene, cells, line, walk, found, first, count, hits));
+      if (!hn::AllFalse(d, found)) {
+        const auto* const from = rays.departure != nullptr ? &departures : nullptr;
+        left = hn::Or(left, store_hits(d, scene, cells, line, from, walk, found, first, count, hits));
+      }
     }
     // HitArrays::entry is 1, exit 2.
     const unsigned found_bits = bits_of(d, found);
