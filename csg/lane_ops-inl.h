@@ -75,7 +75,6 @@ using hh::AndNot;
 using hh::BitCast;
 using hh::CappedTag;
 using hh::ConvertTo;
-using hh::CopySign;
 using hh::Div;
 using hh::Eq;
 using hh::FindFirstTrue;
@@ -145,7 +144,6 @@ HWY_INLINE double Mul(double a, double b) { return a * b; }
 HWY_INLINE double Div(double a, double b) { return a / b; }
 HWY_INLINE double Neg(double a) { return -a; }
 HWY_INLINE double Abs(double a) { return std::fabs(a); }
-HWY_INLINE double CopySign(double size, double sign) { return std::copysign(size, sign); }
 /// As x86 has them: b if either is no number.
 HWY_INLINE double Max(double a, double b) { return a > b ? a : b; }
 HWY_INLINE double Min(double a, double b) { return a < b ? a : b; }

@@ -14,7 +14,8 @@ namespace csgcast {
 
 /// A ray that starts on a surface, towards one side of it. The surface has no crossing at t = 0 and is on `side` right
 /// after the start; only a crossing further on, of a curved surface, is computed. So a surface never shadows or
-/// reflects itself, and no distance is an epsilon.
+/// reflects itself, and no distance is an epsilon. The ray must go to that side, but for rounding: of one that clearly
+/// goes to the other, casters say what they like.
 struct Departure {
   SurfaceId surface;
   Sense side = Sense::positive;

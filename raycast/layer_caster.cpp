@@ -117,7 +117,7 @@ bool LayerCaster::far_apart(const Crossing& a, const Crossing& b, const Query& q
 }
 
 std::weak_ordering LayerCaster::exact_order(const Crossing& a, const Crossing& b, Query& query) {
-  if (a.surface == b.surface) return a.root <=> b.root;
+  if (a.surface == b.surface && a.surface.valid()) return a.root <=> b.root;
   if (!query.is_begun) caster_.begin(query.ray, query.departure);
   query.is_begun = true;
   return caster_.order(a, b);
@@ -177,8 +177,7 @@ void LayerCaster::look_through(const Ray& ray, const std::optional<Departure>& d
     spans_[layer] = lists_[layer].intervals;
   }
   const auto order = [&](const Crossing& a, const Crossing& b) -> std::weak_ordering {
-    // What no surface ends, the span does, behind all else.
-    if (!a.surface.valid() || !b.surface.valid()) return int{!a.surface.valid()} <=> int{!b.surface.valid()};
+    if (std::isinf(a.t) || std::isinf(b.t)) return a.t == b.t ? std::weak_ordering::equivalent : by_t(a, b);
     return are_certain && far_apart(a, b, query) ? by_t(a, b) : exact_order(a, b, query);
   };
   detail::LayerSweep sweep(spans_, passed_, order);

@@ -12,7 +12,7 @@ struct RayArrays {
   const double* origin[3] = {};
   const double* direction[3] = {};
   const std::uint32_t* departure = nullptr;  ///< the surface that each ray starts on (Departure); null: no ray does
-  const std::uint8_t* departs_positive = nullptr;  ///< whether towards its positive side
+  const std::uint8_t* departs_positive = nullptr;  ///< whether towards its positive side, to which it must go
   bool whole_line = false;                         ///< from -infinity on, not from 0; no ray departs then
   const double* end = nullptr;                     ///< the t up to which each ray is asked; null: infinity
 };

@@ -69,6 +69,16 @@ class CellBuilder {
     double at = 0;
     double cost = 0;
   };
+  // Of a surface in the cell that is being made: the last leaf that was found to own it, whether it is the only one,
+  // and whether the faces of all show the same.
+  struct Owner {
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::size_t term = none;  // of the leaf
+    LeafId leaf;
+    LookId look;
+    bool is_one = false;
+    bool is_one_look = false;
+  };
   struct Marks {
     std::size_t nodes, cells, slots, steps;
   };
@@ -93,7 +103,7 @@ class CellBuilder {
   bool add_table(const Formula& formula, std::vector<SurfaceId>& surfaces, Cell& cell);
   void add_steps(const Formula& formula, Cell& cell);
   void add_slots(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box, Cell& cell);
-  Slot slot_of(const Formula& formula, SurfaceId surface, const CellBox& box);
+  void find_owners(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box);
   LookId face_look(const Leaf& leaf, bool one_region, const CellBox& box);
   const HolderTree::Shown& cut_look(const CellBox& box);
   Marks marks() const { return {data_.nodes.size(), data_.cells.size(), data_.slots.size(), data_.steps.size()}; }
@@ -114,6 +124,7 @@ class CellBuilder {
   std::vector<std::uint32_t> seen_in_;
   std::uint32_t sighting_ = 0;
   std::vector<std::uint32_t> slot_of_surface_;  // in the cell that is being made
+  std::vector<Owner> owners_;                   // of its surfaces
   std::optional<HolderTree::Shown> cut_look_;   // in the cell that is being made, once it is known
   HolderTree::Search holder_search_;
   Formula trial_;

@@ -157,15 +157,49 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
   cell.slot_count = static_cast<std::uint8_t>(surfaces.size());
   slot_of_surface_.resize(scene_.surfaces().size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const LaneSurface::Kind kind = ground_.surfaces[surfaces[i].index()].kind;
-    if (is_plane(kind)) ++cell.plane_count;
-    const bool is_round = kind == LaneSurface::Kind::sphere || is_axis_cylinder(kind);
+    const LaneSurface& surface = ground_.surfaces[surfaces[i].index()];
+    if (is_plane(surface.kind)) ++cell.plane_count;
+    const bool is_round = surface.kind == LaneSurface::Kind::sphere || is_axis_cylinder(surface.kind);
     if (is_round) cell.slack = round_slack;
     // The two crossings of a round surface that is not open are 2^-11 of its radius apart or more.
-    const bool is_tiny = is_round && ground_.surfaces[surfaces[i].index()].c[3] < least_radius * least_radius;
-    if (kind == LaneSurface::Kind::quadric || is_tiny) cell.may_have_twins = true;
+    const bool is_tiny = is_round && surface.c[3] < least_radius * least_radius;
+    if (surface.kind == LaneSurface::Kind::quadric || is_tiny) cell.may_have_twins = true;
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
-    data_.slots.push_back(slot_of(formula, surfaces[i], box));
+  }
+  find_owners(formula, surfaces, box);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const Owner& owner = owners_[i];
+    data_.slots.emplace_back(ground_.surfaces[surfaces[i].index()], surfaces[i], owner.is_one ? owner.leaf : LeafId(),
+                             owner.is_one_look ? owner.look : LookId());
+  }
+}
+
+// The leaves that own each of the surfaces in the cell, and what their faces show.
+void CellBuilder::find_owners(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box) {
+  owners_.assign(surfaces.size(), Owner());
+  bool one_region = true;
+  RegionId region;
+  for (const Term& term : formula.terms) {
+    if (term.op != Term::Op::leaf) continue;
+    const RegionId of_leaf = scene_.leaf(LeafId(term.what)).region;
+    one_region = one_region && (!region.valid() || region == of_leaf);
+    region = of_leaf;
+  }
+  for (std::size_t i = 0; i < formula.terms.size(); ++i) {
+    const Term& term = formula.terms[i];
+    if (term.op != Term::Op::leaf) continue;
+    const LeafId leaf(term.what);
+    std::optional<LookId> look;
+    for (const Term& side : std::span(formula.terms).subspan(i + 1, term.size - 1)) {
+      // What the value does not depend on has no slot.
+      const std::uint32_t slot = slot_of_surface_[side.surface().index()];
+      if (slot >= surfaces.size() || surfaces[slot] != side.surface()) continue;
+      Owner& owner = owners_[slot];
+      if (owner.term == i) continue;  // by another side
+      if (!look) look = face_look(scene_.leaf(leaf), one_region, box);
+      const bool is_first = owner.term == Owner::none;
+      owner = {i, leaf, *look, is_first, look->valid() && (is_first || (owner.is_one_look && owner.look == *look))};
+    }
   }
 }
 
@@ -200,33 +234,6 @@ const HolderTree::Shown& CellBuilder::cut_look(const CellBox& box) {
     return is_open ? Known::open : Known::yes;
   });
   return *cut_look_;
-}
-
-Slot CellBuilder::slot_of(const Formula& formula, SurfaceId surface, const CellBox& box) {
-  bool one_region = true;
-  RegionId region;
-  for (const Term& term : formula.terms) {
-    if (term.op != Term::Op::leaf) continue;
-    const RegionId of_leaf = scene_.leaf(LeafId(term.what)).region;
-    one_region = one_region && (!region.valid() || region == of_leaf);
-    region = of_leaf;
-  }
-  LeafId owner;
-  LookId shown;
-  std::size_t owners = 0;
-  bool one_look = true;
-  for (std::size_t i = 0; i < formula.terms.size(); ++i) {
-    const Term& term = formula.terms[i];
-    if (term.op != Term::Op::leaf) continue;
-    const auto sides = std::span(formula.terms).subspan(i + 1, term.size - 1);
-    if (std::none_of(sides.begin(), sides.end(), [&](const Term& side) { return side.surface() == surface; })) continue;
-    const LookId look = face_look(scene_.leaf(LeafId(term.what)), one_region, box);
-    one_look = one_look && (owners == 0 || look == shown) && look.valid();
-    shown = look;
-    owner = LeafId(term.what);
-    ++owners;
-  }
-  return {ground_.surfaces[surface.index()], surface, owners == 1 ? owner : LeafId(), one_look ? shown : LookId()};
 }
 
 }  // namespace csgcast::detail

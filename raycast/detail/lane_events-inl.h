@@ -133,8 +133,11 @@ HWY_INLINE void depart_from_round(D d, const LineLanes<D>& line, hn::Vec<D> midd
   const V before = hn::Neg(hn::Inf(d));
   events.first[i] = hn::IfThenElse(departing, before, events.first[i]);
   events.second[i] = hn::IfThenElse(departing, hn::IfThenElse(outwards, before, other), events.second[i]);
-  const auto too_near = hn::Lt(hn::Sub(other, line.start), hn::Set(d, least));
+  const V gap = hn::Sub(other, line.start);
+  const auto too_near = hn::Lt(gap, hn::Set(d, least));
   flag(events, hn::AndNot(outwards, hn::And(departing, too_near)));
+  // Of a ray that goes the other way than it is said to, cells know otherwise.
+  flag(events, hn::And(outwards, hn::And(departing, hn::Gt(gap, hn::Set(d, 2 * greatest_slack)))));
 }
 
 template <class D>
@@ -291,10 +294,11 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   const auto leaves =
       hn::Or(hn::And(a_is_positive, departures->positive), hn::AndNot(a_is_positive, hn::Not(departures->positive)));
   const auto comes_back = hn::AndNot(leaves, departing);
-  const auto too_near =
-      hn::Or(hn::Gt(other_slack, set(greatest_slack)), hn::Lt(hn::Sub(other, line.start), set(2 * greatest_slack)));
+  const V gap = hn::Sub(other, line.start);
+  const auto too_near = hn::Or(hn::Gt(other_slack, set(greatest_slack)), hn::Lt(gap, set(2 * greatest_slack)));
   flag(events, hn::And(departing, hn::Not(certain_a)));
   flag(events, hn::And(comes_back, too_near));
+  flag(events, hn::And(hn::And(departing, leaves), hn::Gt(gap, set(2 * greatest_slack))));
   widen(events, hn::IfThenElseZero(comes_back, other_slack));
   const V before = hn::Neg(never);
   events.first[i] = hn::IfThenElse(departing, before, events.first[i]);

@@ -31,7 +31,7 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
   const QuadraticLanes<D> f = quadratic(d, line, surface);
   const V zero = hn::Zero(d);
   const V root = hn::Sqrt(hn::Sub(hn::Mul(f.b, f.b), hn::Mul(f.a, f.c)));
-  const V sum = hn::Neg(hn::Add(f.b, hn::CopySign(root, f.b)));
+  const V sum = hn::IfThenElse(hn::Lt(f.b, zero), hn::Sub(root, f.b), hn::Neg(hn::Add(f.b, root)));
   const V near = hn::Add(f.origin, hn::Div(f.c, sum));
   const V far = hn::Add(f.origin, hn::Div(sum, f.a));
   // Two crossings if the sign of a is certain; else the near one is the only one.

@@ -217,6 +217,10 @@ HWY_INLINE void set_slack(D d, const AxisBounds& bounds, const hn::Vec<D>* along
   }
 }
 
+/// Where lines end that have no end, tau: beyond every crossing (no part of a direction is below 1e-100 but zero), and
+/// before the places at which lanes have a line cross what it is parallel to (inverse_of).
+constexpr double farthest = 1e200;
+
 /// What walks and tests need besides.
 template <class D>
 HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, std::size_t first, std::size_t count,
@@ -252,14 +256,14 @@ HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, 
     line.across_inverse[axis] = hn::IfThenZeroElse(is_steep, line.across_inverse[axis]);
     line.across_size[axis] = hn::IfThenElse(is_steep, hn::Sqrt(across), hn::Set(d, -1.0));
   }
-  line.start = rays.whole_line ? hn::Neg(hn::Inf(d)) : hn::Neg(line.shift);
-  line.end = hn::Inf(d);
+  line.start = rays.whole_line ? hn::Set(d, -farthest) : hn::Neg(line.shift);
+  line.end = hn::Set(d, farthest);
   line.end_error = zero;
   line.ends = rays.end != nullptr;
   if (rays.end != nullptr) {
     const V end = load_lanes(d, rays.end + first, count);
-    line.end = hn::Sub(hn::Div(end, line.unit), line.shift);
-    const auto is_finite = hn::Lt(line.end, hn::Inf(d));
+    line.end = hn::Min(hn::Sub(hn::Div(end, line.unit), line.shift), hn::Set(d, farthest));
+    const auto is_finite = hn::Lt(line.end, hn::Set(d, farthest));
     line.end_error = hn::IfThenElseZero(is_finite, hn::Mul(hn::Set(d, 8 * 0x1p-53), hn::Abs(line.end)));
   }
 }

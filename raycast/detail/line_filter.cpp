@@ -70,8 +70,9 @@ std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surfac
   const double root = std::sqrt(discriminant.value);
   // |sqrt(D) - sqrt(D')| <= |D - D'| / sqrt(D) for D' >= 0.
   const double root_error = discriminant.error / root + u * root;
-  // The sum that does not cancel, and the other root from the product of both.
-  const double sum = -(f.b.value + std::copysign(root, f.b.value));
+  // The sum that does not cancel, and the other root from the product of both. The sign of a zero b, which lanes may
+  // compute otherwise, makes no difference.
+  const double sum = f.b.value < 0 ? root - f.b.value : -(f.b.value + root);
   const double sum_error = (f.b.error + root_error + u * std::fabs(sum)) * rounding_of_bounds;
   if (!(2 * sum_error < std::fabs(sum))) return std::nullopt;
   const double at_near = f.c.value / sum;

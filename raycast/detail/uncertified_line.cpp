@@ -20,7 +20,8 @@ LineCrossings quadric(const LineFrame& line, const Surface& surface) {
   const double discriminant = f.b * f.b - f.a * f.c;
   if (f.a == 0) return f.b == 0 ? none(f.c >= 0) : one(f.origin - f.c / (2 * f.b), f.b < 0);
   if (!(discriminant > 0)) return none(f.a > 0);
-  const double sum = -(f.b + std::copysign(std::sqrt(discriminant), f.b));
+  const double root = std::sqrt(discriminant);
+  const double sum = f.b < 0 ? root - f.b : -(f.b + root);
   LineCrossings found = none(f.a > 0);
   found.tau = {f.origin + f.c / sum, f.origin + sum / f.a};
   if (found.tau[0] > found.tau[1]) std::swap(found.tau[0], found.tau[1]);

@@ -147,9 +147,12 @@ TEST_CASE("lists of rays that depart, and the faces at their ends, are the scala
       scalar.begin(ray);
       const std::optional<Hit> hit = scalar.first_hit();
       if (!hit) continue;
-      rays.emplace_back(scalar.attribute(*hit).point, random.direction());
+      const Attribution face = scalar.attribute(*hit);
+      rays.emplace_back(face.point, random.direction());
       surfaces.push_back(hit->crossing.surface.index());
-      sides.push_back(rays.size() % 2 == 0 ? 1 : 0);
+      const Sense outside = hit->passage == Passage::entry ? face.front : opposite(face.front);
+      const bool goes_out = dot(rays.back().direction(), as_vector(face.normal)) > 0;
+      sides.push_back((goes_out ? outside : opposite(outside)) == Sense::positive ? 1 : 0);
     }
     REQUIRE(rays.size() > 20);
     Arrays arrays(rays);
@@ -186,6 +189,70 @@ TEST_CASE("lists of rays that depart, and the faces at their ends, are the scala
           }
         }
       }
+    }
+  }
+}
+
+TEST_CASE("whole lines in unbounded solids, of all directions in one packet, have the scalar caster's answers") {
+  const std::vector<Solid> solids{halfspace({1, 0, 0}, -0.3),
+                                  halfspace({1, 0, 0}, -0.3) - box({1, 1, 1}, Centering::centered),
+                                  unite({halfspace({0, 0, 1}, -1), box({1, 2, 1}), halfspace({1, 1, 0}, -2)}),
+                                  complement(box({2, 2, 2}, Centering::centered))};
+  RandomSolids random(13);
+  for (const Solid& solid : solids) {
+    const Scene scene = compile(solid);
+    const Cells cells(scene);
+    Caster scalar(scene);
+    std::vector<Ray> rays;
+    std::vector<double> ends;
+    for (int i = 0; i < 300; ++i) {
+      const Vector along[]{{0, 0, -1}, {0, 1, 0}, {-1, 0, 0}, {0, -1, -1}};
+      const Point o{random.number(-4, 4), random.number(-4, 4), random.number(-4, 4)};
+      rays.emplace_back(o, i % 3 == 0 ? random.direction() : along[i % 4]);
+      ends.push_back(i % 2 == 0 ? HUGE_VAL : 1);
+    }
+    Arrays arrays(rays);
+    RayArrays lines = arrays.rays();
+    lines.whole_line = true;
+    lines.end = ends.data();
+    for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
+      PacketCaster caster(cells, width);
+      IntervalBatch batch;
+      caster.intervals(lines, batch);
+      std::vector<std::uint8_t> any(rays.size());
+      caster.any_hits(lines, any.data());
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Span span{-HUGE_VAL, ends[i]};
+        scalar.begin(rays[i]);
+        CHECK((any[i] != 0) == scalar.any_hit(span));
+        IntervalList list;
+        scalar.intervals(list, span);
+        const auto found = batch.of(i);
+        REQUIRE(found.size() == list.size());
+        for (std::size_t k = 0; k < list.size(); ++k) {
+          CHECK(same(found[k].entry, list[k].entry));
+          CHECK(same(found[k].exit, list[k].exit));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a zero's sign does not change what lanes tell of a quadric") {
+  const Solid cone =
+      transformed(cylinder(1.5, 2.4999999999999, 2.5, Centering::centered), translation({1.41, 1.5, 0.5}));
+  const Scene scene = compile(transformed(cone, scaling({1e6, 1e6, 1e6})));
+  const Cells cells(scene);
+  Caster scalar(scene);
+  const std::vector<Ray> rays{Ray({0.5, 244239.43426779623, 653676.4319077125}, {0, -1, 0}),
+                              Ray({1.41e6, -9e6, 653676.4319077125}, {0, 1, 0})};
+  Arrays arrays(rays);
+  for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
+    PacketCaster caster(cells, width);
+    caster.first_hits(arrays.rays(), arrays.hits(), Rounding::close);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      scalar.begin(rays[i]);
+      CHECK(arrays.t[i] == scalar.first_hit({}, Rounding::close)->crossing.t);
     }
   }
 }

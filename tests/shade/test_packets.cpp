@@ -139,6 +139,9 @@ TEST_CASE("light through glass that touches, overlaps, is cut and looks uneven i
       // looks that change within a solid
       glass + "{ union() { sphere(r = 0.9); " + water + "{ translate([0.8, 0, 0]) { sphere(r = 0.8); } } } } " + stone +
           "{ halfspace(n = [0, 0, 1], d = -0.5); }",
+      // a light on a face, where something opaque goes on
+      glass + "{ translate([2, -3, 3]) { cube(size = 2); } sphere(r = 1); } " + stone +
+          "{ translate([2, -3, 4.5]) { cube(size = 2); } }",
       // half of space is water
       water + "{ halfspace(n = [0, 0, 1], d = 0.1); } " + stone + "{ sphere(r = 0.7); } " + glass +
           "{ translate([1, 0, 0]) { sphere(r = 0.5); } }",
