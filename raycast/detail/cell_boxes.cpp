@@ -80,9 +80,9 @@ void CellGround::place_leaves(NodeId node) {
 
 // Where the axes are turned, as tight as those of the half-spaces allow that boxes have sides along.
 CellBox CellGround::box_of_leaf(const Leaf& leaf, const Box& world) const {
-  const CellBox box = in_frame(world, scene.frame());
-  if (!axes) return box;
-  CellBox result = axes->holding(box);
+  const CellBox straight = in_frame(world, scene.frame());
+  if (!axes) return straight;
+  CellBox result = axes->holding(straight);
   constexpr double margin = 0x1p-31;
   const auto cut = [&](std::size_t axis, double low, double high) {
     result.lower[axis] = std::fmax(result.lower[axis], low - margin);
@@ -119,7 +119,7 @@ CellBox CellGround::turned_box_of(NodeId node) const {
       boxes[id] = leaf_boxes[at.first];
       continue;
     }
-    CellBox box = axes->holding(in_frame(at.box, scene.frame()));
+    CellBox own = axes->holding(in_frame(at.box, scene.frame()));
     const auto children = scene.children(at);
     const auto bounds = [&](NodeId child) { return scene.node(child).box.is_finite(); };
     const auto exists = [&](NodeId child) { return !scene.node(child).box.is_null(); };
@@ -128,15 +128,15 @@ CellBox CellGround::turned_box_of(NodeId node) const {
       for (const NodeId child : children) {
         if (exists(child)) all = hull(all, boxes[child.index()]);
       }
-      box = intersection(box, all);
+      own = intersection(own, all);
     } else if (at.op == Node::Op::subtract && bounds(children.front())) {
-      box = intersection(box, boxes[children.front().index()]);
+      own = intersection(own, boxes[children.front().index()]);
     } else if (at.op == Node::Op::intersect) {
       for (const NodeId child : children) {
-        if (bounds(child) && exists(child)) box = intersection(box, boxes[child.index()]);
+        if (bounds(child) && exists(child)) own = intersection(own, boxes[child.index()]);
       }
     }
-    boxes[id] = box;
+    boxes[id] = own;
   }
   return boxes[node.index()];
 }
