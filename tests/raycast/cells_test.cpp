@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "csg/primitives.h"
@@ -50,6 +51,14 @@ struct Arrays {
 
 bool same(const Crossing& a, const Crossing& b) {
   return a.t == b.t && a.surface == b.surface && (!a.surface.valid() || a.root == b.root);
+}
+
+void check_same(std::span<const Interval> found, const IntervalList& expected) {
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    CHECK(same(found[k].entry, expected[k].entry));
+    CHECK(same(found[k].exit, expected[k].exit));
+  }
 }
 
 std::vector<Ray> rays_at(RandomSolids& random, std::size_t count) {
@@ -123,12 +132,7 @@ TEST_CASE("arrays of rays get the scalar caster's answers, however many there ar
         CHECK((any[i] != 0) == scalar.any_hit());
         IntervalList list;
         scalar.intervals(scene.root(), list, {}, rounding);
-        const auto found = batch.of(i);
-        REQUIRE(found.size() == list.size());
-        for (std::size_t k = 0; k < list.size(); ++k) {
-          CHECK(same(found[k].entry, list[k].entry));
-          CHECK(same(found[k].exit, list[k].exit));
-        }
+        check_same(batch.of(i), list);
       }
     }
   }
@@ -227,12 +231,7 @@ TEST_CASE("whole lines in unbounded solids, of all directions in one packet, hav
         CHECK((any[i] != 0) == scalar.any_hit(span));
         IntervalList list;
         scalar.intervals(list, span);
-        const auto found = batch.of(i);
-        REQUIRE(found.size() == list.size());
-        for (std::size_t k = 0; k < list.size(); ++k) {
-          CHECK(same(found[k].entry, list[k].entry));
-          CHECK(same(found[k].exit, list[k].exit));
-        }
+        check_same(batch.of(i), list);
       }
     }
   }
