@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
+#include <span>
 #include <system_error>
 
 #include "cli/commands.h"
@@ -76,7 +76,7 @@ class IntervalWorker {
     found_.clear();
     const Scene& scene = caster_.scene();
     if (packets_) {
-      add_by_cells(v.data(), ray);
+      add_by_cells(ray);
     } else {
       caster_.begin(ray);
       if (by_ == By::scene) add(scene.root(), std::nullopt);
@@ -97,17 +97,9 @@ class IntervalWorker {
     }
   }
 
-  /// Those of the whole solid. `numbers`: the ray's.
-  void add_by_cells(const double* numbers, const Ray& ray) {
-    RayArrays arrays;
-    arrays.count = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      arrays.origin[axis] = numbers + axis;
-      arrays.direction[axis] = numbers + 3 + axis;
-    }
-    arrays.whole_line = span_.from != 0;
-    if (span_.to < std::numeric_limits<double>::infinity()) arrays.end = &span_.to;
-    packets_->intervals(arrays, batch_, Rounding::nearest, PacketCaster::Ends::faces);
+  /// Those of the whole solid.
+  void add_by_cells(const Ray& ray) {
+    packets_->intervals(std::span(&ray, 1), batch_, span_, Rounding::nearest, PacketCaster::Ends::faces);
     bool is_begun = false;
     const auto face = [&](std::size_t end) {
       return batch_.faces[end].leaf.valid() ? std::optional(batch_.faces[end]) : std::nullopt;
@@ -123,8 +115,7 @@ class IntervalWorker {
 
   std::optional<EndFace> face(NodeId node, const Crossing& crossing, Passage passage) {
     if (!crossing.surface.valid()) return std::nullopt;
-    const Attribution found = caster_.attribute(node, {crossing, passage});
-    return EndFace{found.leaf, found.look, found.normal};
+    return end_face(caster_.attribute(node, {crossing, passage}));
   }
 
   /// The part of the entry's face. Of an interval that is cut off at its start: the first part in file order that the

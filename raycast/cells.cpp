@@ -14,7 +14,6 @@ detail::CellData cells_of(const Scene& scene, NodeId node) {
   detail::CellGround ground(scene, node);
   detail::lane_codes();  // finds out once what the machine has, which takes as long as thousands of rays
   detail::CellData data = detail::CellBuilder(ground, scene.leaves().size()).build(node);
-  data.normals = std::move(ground.normals);
   return data;
 }
 
@@ -37,8 +36,7 @@ Cells::Counts Cells::counts() const {
     counts.undecided += cell.is_undecided ? 1 : 0;
   }
   const auto bytes_of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  counts.bytes = bytes_of(data_->nodes) + bytes_of(data_->cells) + bytes_of(data_->slots) + bytes_of(data_->steps) +
-                 bytes_of(data_->normals);
+  counts.bytes = bytes_of(data_->nodes) + bytes_of(data_->cells) + bytes_of(data_->slots) + bytes_of(data_->steps);
   return counts;
 }
 

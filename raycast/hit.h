@@ -71,6 +71,8 @@ struct Attribution {
                   ///< the other
 };
 
+inline EndFace end_face(const Attribution& face) { return {face.leaf, face.look, face.normal}; }
+
 enum class Location : std::uint8_t { inside, outside, boundary };
 
 }  // namespace csgcast

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/layer_caster.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "raycast/detail/box_line.h"
+#include "raycast/detail/even_looks.h"
 #include "raycast/detail/layer_sweep.h"
 
 namespace csgcast {
@@ -24,7 +26,10 @@ bool LayerCells::suits(const Scene& scene) {
          scene.bounded_leaves().is_finite();
 }
 
-LayerCells::LayerCells(const Scene& scene) : scene_(&scene) {
+LayerCells::LayerCells(const Scene& scene)
+    : scene_(&scene),
+      even_looks_(detail::even_looks(scene)),
+      all_look_even_(std::find(even_looks_.begin(), even_looks_.end(), 0) == even_looks_.end()) {
   for (const Layer& layer : scene.layers()) layers_.emplace_back(scene, layer.node);
 }
 
@@ -65,13 +70,14 @@ struct LayerCaster::Query {
   bool is_begun = false;  // by the caster
 };
 
-LayerCaster::LayerCaster(const LayerCells& cells, Caster& caster)
-    : scene_(cells.scene()),
+LayerCaster::LayerCaster(const LayerCells& cells, Caster& caster, std::string_view instructions)
+    : cells_(cells),
+      scene_(cells.scene()),
       caster_(caster),
       meetings_(cells.layers().size()),
       lists_(meetings_.size()),
       spans_(meetings_.size()) {
-  for (const Cells& layer : cells.layers()) casters_.emplace_back(layer, PacketCaster::Width::single);
+  for (const Cells& layer : cells.layers()) casters_.emplace_back(layer, PacketCaster::Width::single, instructions);
 }
 
 void LayerCaster::meet(std::size_t layer, const Query& query) {
@@ -134,8 +140,8 @@ std::size_t LayerCaster::holder() const {
   return detail::no_layer;
 }
 
-LayerCaster::Outcome LayerCaster::look(const Ray& ray, const std::optional<Departure>& departure, double end) {
-  Query query(ray, departure, end, scene_.frame());
+LayerCaster::Outcome LayerCaster::look(const Ray& ray, const std::optional<Departure>& departure) {
+  Query query(ray, departure, Span().to, scene_.frame());
   const Meeting* first = nullptr;
   for (std::size_t layer = 0; layer < meetings_.size(); ++layer) {
     meet(layer, query);

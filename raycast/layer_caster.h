@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "raycast/caster.h"
@@ -25,10 +26,15 @@ class LayerCells {
 
   const Scene& scene() const { return *scene_; }
   const std::vector<Cells>& layers() const { return layers_; }
+  /// Whether all that a region is made of looks like it; of all regions.
+  bool looks_even(RegionId region) const { return even_looks_[region.index()] != 0; }
+  bool all_look_even() const { return all_look_even_; }
 
  private:
   const Scene* scene_;
   std::vector<Cells> layers_;
+  std::vector<std::uint8_t> even_looks_;
+  bool all_look_even_;
 };
 
 /// Finds the first change of medium on a ray by the cells of the layers: the first one of Caster::interfaces, and the
@@ -36,15 +42,17 @@ class LayerCells {
 class LayerCaster {
  public:
   /// Both must outlive it. `caster`, of the same scene, is asked which of two crossings that are close comes first.
-  LayerCaster(const LayerCells& cells, Caster& caster);
+  /// `instructions`: as of a PacketCaster.
+  LayerCaster(const LayerCells& cells, Caster& caster, std::string_view instructions = {});
+
+  const LayerCells& cells() const { return cells_; }
 
   enum class Outcome : std::uint8_t {
     none,   ///< the ray meets no boundary of a layer
     found,  ///< change() and face() tell of it
     open,   ///< the first boundary of a layer changes nothing that a ray sees: Caster::interfaces has to be asked
   };
-  /// In [0, end).
-  Outcome look(const Ray& ray, const std::optional<Departure>& departure, double end);
+  Outcome look(const Ray& ray, const std::optional<Departure>& departure);
   const Interface& change() const { return change_; }
   /// Without its leaf, region and part: these are not asked for.
   const Attribution& face() const { return face_; }
@@ -77,6 +85,7 @@ class LayerCaster {
   std::size_t holder() const;
   const Box& box_of(std::size_t layer) const { return scene_.node(scene_.layers()[layer].node).box; }
 
+  const LayerCells& cells_;
   const Scene& scene_;
   Caster& caster_;
   std::vector<PacketCaster> casters_;  // by layer

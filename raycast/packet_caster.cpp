@@ -130,11 +130,9 @@ struct PacketCaster::State {
     return hit;
   }
 
-  // Whose face an end of the present ray's list is.
+  // Whose face an end of the present ray's list is, if a surface makes it.
   EndFace face_of(const Crossing& crossing, Passage passage) {
-    if (!crossing.surface.valid()) return {};
-    const Attribution face = caster.attribute(cells.node(), {crossing, passage});
-    return {face.leaf, face.look, face.normal};
+    return end_face(caster.attribute(cells.node(), {crossing, passage}));
   }
 
   // Lists of rays that lanes left have none yet: they are put in, from the last one on. `base`: how many rays the batch
@@ -257,6 +255,8 @@ std::vector<std::string_view> PacketCaster::instruction_sets() {
   return names;
 }
 
+void PacketCaster::check_instructions(std::string_view name) { code_named(name); }
+
 const Scene& PacketCaster::scene() const { return state_->cells.scene(); }
 
 void PacketCaster::first_hits(const RayArrays& rays, const HitArrays& hits, Rounding rounding) {
@@ -308,7 +308,7 @@ void PacketCaster::intervals(const RayArrays& rays, IntervalBatch& batch, Roundi
   state_->fill(rays, batch, rounding, ends);
 }
 
-void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span, Rounding rounding) {
+void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span, Rounding rounding, Ends ends) {
   State& state = *state_;
   state.clear(batch);
   const bool fits_lanes = (span.from == 0 || span.from == -HUGE_VAL) && span.to > span.from;
@@ -319,7 +319,7 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
     some.whole_line = span.from != 0;
     some.end = span.to == HUGE_VAL ? nullptr : end.data();
     if (fits_lanes) {
-      state.add(some, begin, batch, rounding, Ends::bare);
+      state.add(some, begin, batch, rounding, ends);
       continue;
     }
     for (std::size_t i = begin; i < begin + some.count; ++i) {
@@ -329,6 +329,9 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
       batch.offsets.push_back(batch.intervals.size());
       state.left.push_back(static_cast<std::uint32_t>(i));
     }
+    if (ends == Ends::bare) continue;
+    batch.faces.resize(2 * batch.intervals.size());
+    state.tell_faces(some, begin, batch, ends);
   }
 }
 

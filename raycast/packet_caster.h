@@ -43,6 +43,8 @@ class PacketCaster {
 
   /// Those that this machine has, the best first.
   static std::vector<std::string_view> instruction_sets();
+  /// Throws Error(usage) for a name that is neither empty nor one of them.
+  static void check_instructions(std::string_view name);
 
   const Scene& scene() const;
 
@@ -66,8 +68,8 @@ class PacketCaster {
   /// The same for rays in [0, infinity), or in a span. `hits`: as many as rays.
   void first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding = Rounding::nearest);
   void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> hits);
-  void intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span = {},
-                 Rounding rounding = Rounding::nearest);
+  void intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span = {}, Rounding rounding = Rounding::nearest,
+                 Ends ends = Ends::bare);
 
   /// The rays of the last call that lanes could not decide, and that went to the caster: their places in the arrays.
   std::span<const std::uint32_t> left_to_caster() const;

@@ -39,6 +39,8 @@ Surface make_surface(PackedForm canonical, const Frame& frame, Point near, bool 
   surface.in_range =
       round_scaled(in_coordinates(form, origin, frame.exponent), surface.local, &surface.local_low) && surface.in_range;
   const auto& local = surface.local;
+  if (surface.kind == SurfaceKind::plane)
+    surface.normal = normalised(Vector{local[Form::x], local[Form::y], local[Form::z]});
   surface.is_mixed = local[Form::xy] != 0 || local[Form::xz] != 0 || local[Form::yz] != 0;
   surface.second_degree = magnitude_sum(surface.local, 0, Form::x);
   surface.first_degree = magnitude_sum(surface.local, Form::x, Form::one);

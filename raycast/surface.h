@@ -33,6 +33,7 @@ struct Surface {
   /// What the rounding of `local` left over, rounded: local + local_low is off by a relative 2^-106.
   Coefficients local_low{};
   Vector center;
+  Vector normal{};           ///< of a plane: the gradient, unit, as normalised() gives it
   double second_degree = 0;  ///< sum of the magnitudes of local's second-degree coefficients
   double first_degree = 0;   ///< of its first-degree ones
   double constant = 0;       ///< of its constant

@@ -50,11 +50,7 @@ void check(const RenderOptions& options) {
     throw Error(ErrorCode::usage, {}, "adaptive samples in a mode other than shaded",
                 "pixels are compared by their light", "take regular ones");
   }
-  const auto sets = PacketCaster::instruction_sets();
-  if (!options.instructions.empty() && std::find(sets.begin(), sets.end(), options.instructions) == sets.end()) {
-    throw Error(ErrorCode::usage, {}, "no instruction set is called " + options.instructions, "this machine has others",
-                "ask PacketCaster::instruction_sets()");
-  }
+  PacketCaster::check_instructions(options.instructions);
 }
 
 // Samples a pixel along each axis.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shade/tracer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -32,15 +31,7 @@ std::uint64_t& count_of(RayCounts& counts, RayKind kind) {
 }  // namespace
 
 Tracer::Tracer(Caster& caster, const View& view, LayerCaster* layers)
-    : scene_(caster.scene()), view_(view), caster_(caster), layers_(layers) {
-  if (layers == nullptr) return;
-  even_look_.assign(scene_.regions().size(), 1);
-  for (const Leaf& leaf : scene_.leaves()) {
-    if (leaf.region.valid() && !leaf.holds_nothing && leaf.look != scene_.region(leaf.region).look)
-      even_look_[leaf.region.index()] = 0;
-  }
-  all_are_even_ = std::find(even_look_.begin(), even_look_.end(), 0) == even_look_.end();
-}
+    : scene_(caster.scene()), view_(view), caster_(caster), layers_(layers) {}
 
 Rgb Tracer::trace(const Ray& ray, RayTree* tree) {
   tree_ = tree;
@@ -129,7 +120,7 @@ std::optional<Tracer::Boundary> Tracer::next_boundary(const Task& task) {
 
 std::optional<Tracer::Boundary> Tracer::next_interface(const Task& task) {
   if (layers_ != nullptr) {
-    const LayerCaster::Outcome outcome = layers_->look(task.ray, task.departure, Span().to);
+    const LayerCaster::Outcome outcome = layers_->look(task.ray, task.departure);
     if (outcome == LayerCaster::Outcome::none) return std::nullopt;
     if (outcome == LayerCaster::Outcome::found) return boundary(layers_->change(), layers_->face(), task);
   }
@@ -141,7 +132,7 @@ std::optional<Tracer::Boundary> Tracer::next_interface(const Task& task) {
 }
 
 Tracer::Boundary Tracer::boundary(const Interface& first, const Attribution& face, const Task& task) {
-  const auto is_even = [&](RegionId region) { return !region.valid() || even_look_[region.index()] != 0; };
+  const auto is_even = [&](RegionId region) { return !region.valid() || layers_->cells().looks_even(region); };
   if (layers_ != nullptr && !(is_even(first.before) && is_even(first.after))) caster_.begin(task.ray, task.departure);
   const Medium before = medium(first.before, Passage::exit, first, task.medium);
   const Medium after = medium(first.after, Passage::entry, first, {});
@@ -154,7 +145,7 @@ Tracer::Boundary Tracer::boundary(const Interface& first, const Attribution& fac
 Tracer::Medium Tracer::medium(RegionId region, Passage passage, const Interface& where, Medium known) {
   if (!region.valid()) return {};
   if (region == known.region) return known;
-  if (!even_look_.empty() && even_look_[region.index()] != 0) return {region, scene_.region(region).look};
+  if (layers_ != nullptr && layers_->cells().looks_even(region)) return {region, scene_.region(region).look};
   const LookId look = caster_.look_inside(scene_.region(region).node, {where.hit.crossing, passage});
   return {region, look.valid() ? look : scene_.region(region).look};
 }
@@ -203,7 +194,7 @@ Rgb Tracer::passing_media(const Spot& spot, const Ray& ray, double unit, Span sp
   const Departure departure{spot.boundary.surface, spot.boundary.face.front};
   if (layers_ != nullptr) {
     layers_->look_through(ray, departure, span.to, interfaces_, looks_);
-    if (!all_are_even_) caster_.begin(ray, departure);  // media may have to be asked for
+    if (!layers_->cells().all_look_even()) caster_.begin(ray, departure);  // media may have to be asked for
     return passing_changes(spot, unit, span, [&](std::size_t i) { return looks_[i]; });
   }
   caster_.begin(ray, departure);

@@ -103,8 +103,6 @@ class Tracer {
   const View& view_;
   Caster& caster_;
   LayerCaster* layers_;
-  std::vector<std::uint8_t> even_look_;  // by region, if there are layers: whatever it is made of looks like it
-  bool all_are_even_ = false;
   std::vector<Task> pending_;
   std::vector<Interface> interfaces_;
   std::vector<LookId> looks_;  // of their faces

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "raycast/detail/cell_builder.h"
+#include "raycast/detail/even_looks.h"
 
 // Where leaves lie, in the axes of the cells.
 
@@ -43,21 +44,12 @@ CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {
   if (scene.node(node).box.is_finite()) axes = common_axes(scene);
   forms.reserve(scene.surfaces().size());
   surfaces.reserve(scene.surfaces().size());
-  normals.reserve(scene.surfaces().size());
   for (const Surface& surface : scene.surfaces()) {
     forms.push_back({surface.local, surface.center});
     if (axes) forms.back() = axes->turned(forms.back());
     surfaces.push_back(make_lane_surface(surface, axes ? &forms.back() : nullptr));
-    using Form = QuadricForm;
-    const auto& k = surface.local;
-    const bool is_plane = surface.kind == SurfaceKind::plane;
-    normals.push_back(is_plane ? normalised(Vector{k[Form::x], k[Form::y], k[Form::z]}) : Vector{});
   }
-  even_look.assign(scene.regions().size(), 1);
-  for (const Leaf& leaf : scene.leaves()) {
-    if (leaf.region.valid() && !leaf.holds_nothing && leaf.look != scene.region(leaf.region).look)
-      even_look[leaf.region.index()] = 0;
-  }
+  even_look = even_looks(scene);
   const bool has_cuts =
       std::any_of(scene.leaves().begin(), scene.leaves().end(), [](const Leaf& leaf) { return leaf.shows_cut; });
   if (has_cuts) holders = HolderTree(scene, node);

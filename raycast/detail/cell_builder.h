@@ -34,7 +34,6 @@ struct CellGround {
   std::optional<CellAxes> axes;         ///< if they are not the frame's
   std::vector<CellForm> forms;          ///< by surface
   std::vector<LaneSurface> surfaces;    ///< by surface
-  std::vector<Vector> normals;          ///< by surface, of planes: the gradient, unit
   std::vector<CellBox> leaf_boxes;      ///< by leaf
   std::vector<std::uint8_t> even_look;  ///< by region: all that it is made of, and its faces, look the same
   HolderTree holders;

@@ -95,7 +95,6 @@ struct CellData {
   std::vector<Cell> cells;
   std::vector<Slot> slots;
   std::vector<Step> steps;
-  std::vector<Vector> normals;          ///< by SurfaceId, of planes: the gradient, unit
   std::array<bool, 3> has_cylinders{};  ///< along each axis of the frame
   bool has_axis_planes = false;         ///< square to an axis
   bool has_quadrics = false;            ///< spheres and others

@@ -74,13 +74,12 @@ HWY_INLINE Triples<hn::Vec<D>> place_of(D d, const LineLanes<D>& line, const Fra
 
 /// The surface's gradient at a place, unit: gradient() and normalised().
 template <class D>
-HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const Vector& plane_normal,
-                                             const Frame& frame, const Triples<hn::Vec<D>>& p) {
+HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const Frame& frame,
+                                             const Triples<hn::Vec<D>>& p) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto c = [&](std::size_t term) { return hn::Set(d, surface.local[term]); };
-  if (surface.kind == SurfaceKind::plane)
-    return {hn::Set(d, plane_normal.x), hn::Set(d, plane_normal.y), hn::Set(d, plane_normal.z)};
+  if (surface.kind == SurfaceKind::plane) return in_all_lanes(d, surface.normal);
   const V to_frame = hn::Set(d, power_of_two(-frame.exponent));
   const auto local = [&](V x, double center, double own) {
     return hn::Sub(hn::Mul(hn::Sub(x, hn::Set(d, center)), to_frame), hn::Set(d, own));
@@ -129,9 +128,9 @@ struct Told {
 
 /// t, places and normals of the hits of one packet, surface by surface.
 template <class D>
-HWY_INLINE void tell_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
-                          const Departures<D>* departures, hn::Mask<D> hits, hn::Vec<BitsOf<D>> surfaces,
-                          hn::Mask<D> rises, hn::Mask<D> enters, bool wants_faces, bool rounds, Told<D>& told) {
+HWY_INLINE void tell_hits(D d, const Scene& scene, const LineLanes<D>& line, const Departures<D>* departures,
+                          hn::Mask<D> hits, hn::Vec<BitsOf<D>> surfaces, hn::Mask<D> rises, hn::Mask<D> enters,
+                          bool wants_faces, bool rounds, Told<D>& told) {
   using V = hn::Vec<D>;
   const BitsOf<D> bits;
   HWY_ALIGN std::uint64_t ids[16];
@@ -160,7 +159,7 @@ HWY_INLINE void tell_hits(D d, const Scene& scene, const CellData& cells, const 
     }
     if (!wants_faces) continue;
     const auto p = place_of(d, line, scene.frame(), own);
-    const auto n = unit_gradient(d, surface, cells.normals[id], scene.frame(), p);
+    const auto n = unit_gradient(d, surface, scene.frame(), p);
     told.place = choose(same, p, told.place);
     told.normal = choose(same, n, told.normal);
   }

@@ -335,7 +335,7 @@ class Walk {
       face = hn::IfThenElse(in_bits, hn::Set(bits, slot.leaf | std::uint64_t{slot.look} << 32), face);
       if (!wants_normals_) continue;
       const Triples<V> place = place_of(d, line_, scene_.frame(), tau);
-      normals = choose(same, unit_gradient(d, surface, cells_.normals[id], scene_.frame(), place), normals);
+      normals = choose(same, unit_gradient(d, surface, scene_.frame(), place), normals);
     }
     ends_->add(changes, t, where, face);
     if (wants_normals_) {

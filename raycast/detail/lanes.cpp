@@ -110,8 +110,8 @@ HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells
   const auto owners = owners_of(d, cells, walk.slot());
   const bool wants_faces = faces.point[0] != nullptr;
   Told<D> told;
-  tell_hits(d, scene, cells, line, departures, found, owners.surface, walk.rises(), walk.inside(), wants_faces,
-            hits.rounds, told);
+  tell_hits(d, scene, line, departures, found, owners.surface, walk.rises(), walk.inside(), wants_faces, hits.rounds,
+            told);
   if (hits.rounds) add_lanes(*hits.unrounded, first, bits_of(d, told.unrounded));
   store_lanes(d, told.t, faces.t + first, count);
   store_ids(d, owners.surface, faces.surface + first, count);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -9,6 +8,7 @@
 
 #include "raycast/packet_caster.h"
 #include "shade/camera.h"
+#include "shade/detail/face_buffers.h"
 #include "shade/detail/samples.h"
 #include "shade/detail/sight.h"
 #include "shade/report.h"
@@ -32,9 +32,6 @@ class PacketSights {
   RenderReport report() const;
 
  private:
-  using Numbers = std::vector<double>;
-  using Vectors = std::array<Numbers, 3>;
-
   RayArrays rays_of(const Samples& samples, std::size_t first);
   Sight sight(std::size_t i) const;
 
@@ -43,10 +40,9 @@ class PacketSights {
   const ShadingCode& code_;
   PacketCaster caster_;
   std::uint64_t primary_ = 0;
-  Vectors origin_, direction_, point_, normal_;
-  Numbers t_;
-  std::vector<std::uint8_t> state_, comes_positive_;
-  std::vector<std::uint32_t> surface_, look_, leaf_;
+  Vectors origin_, direction_;
+  FaceBuffers faces_;
+  std::vector<std::uint32_t> leaf_;
   IntervalBatch intervals_;
 };
 

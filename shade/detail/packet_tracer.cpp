@@ -33,16 +33,14 @@ RenderReport PacketTracer::report() const {
 }
 
 void PacketTracer::resize(std::size_t count) {
-  if (t_.size() >= count) return;
-  constexpr std::size_t more = 8;  // stores of whole registers reach beyond
-  for (Vectors* vectors : {&origin_, &direction_, &point_, &normal_, &color_, &shadow_origin_, &path_, &light_}) {
-    for (Numbers& numbers : *vectors) numbers.resize(count + more);
+  if (ones_.size() >= count) return;
+  faces_.resize(count);
+  for (Vectors* vectors : {&origin_, &direction_, &color_, &shadow_origin_, &path_, &light_}) {
+    for (Numbers& numbers : *vectors) numbers.resize(count + FaceBuffers::more);
   }
-  for (auto* list : {&surface_, &look_, &sample_, &departure_, &ray_sample_, &ray_departure_}) list->resize(count);
-  for (auto* list : {&state_, &comes_positive_, &is_plain_, &departs_positive_, &blocked_, &ray_departs_positive_})
-    list->resize(count);
+  for (auto* list : {&sample_, &departure_, &ray_sample_, &ray_departure_}) list->resize(count);
+  for (auto* list : {&is_plain_, &departs_positive_, &blocked_, &ray_departs_positive_}) list->resize(count);
   weight_.resize(count);
-  t_.resize(count);
   ones_.resize(count, 1.0);
 }
 
@@ -66,23 +64,15 @@ void PacketTracer::trace(std::span<const double> x, std::span<const double> y, s
 void PacketTracer::see() {
   RayArrays rays;
   rays.count = count_;
-  FaceArrays faces;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     rays.origin[axis] = origin_[axis].data();
     rays.direction[axis] = direction_[axis].data();
-    faces.point[axis] = point_[axis].data();
-    faces.normal[axis] = normal_[axis].data();
   }
   if (depth_ > 0) {
     rays.departure = ray_departure_.data();
     rays.departs_positive = ray_departs_positive_.data();
   }
-  faces.state = state_.data();
-  faces.t = t_.data();
-  faces.surface = surface_.data();
-  faces.look = look_.data();
-  faces.comes_positive = comes_positive_.data();
-  caster_.first_faces(rays, faces);
+  caster_.first_faces(rays, faces_.arrays());
 }
 
 // Rays that see nothing get the background, those that see an opaque face from inside go to the tracer; the others are
@@ -91,10 +81,10 @@ bool PacketTracer::sort_out(std::span<Rgb> colors) {
   std::uint64_t counted = 0;
   std::uint64_t plain = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    is_plain_[i] = state_[i] == FaceArrays::entry ? 1 : 0;
+    is_plain_[i] = faces_.state[i] == FaceArrays::entry ? 1 : 0;
     plain += is_plain_[i];
     if (is_plain_[i] != 0) continue;
-    if (state_[i] == FaceArrays::none) {
+    if (faces_.state[i] == FaceArrays::none) {
       ++counted;
       leave(i, colors[ray_sample_[i]]);
     } else {
@@ -103,7 +93,7 @@ bool PacketTracer::sort_out(std::span<Rgb> colors) {
   }
   // Lanes tell of no place that is not finite.
   for (const std::uint32_t i : caster_.left_to_caster()) {
-    if (is_plain_[i] == 0 || std::isfinite(point_[0][i] + point_[1][i] + point_[2][i])) continue;
+    if (is_plain_[i] == 0 || std::isfinite(faces_.point[0][i] + faces_.point[1][i] + faces_.point[2][i])) continue;
     is_plain_[i] = 0;
     --plain;
     trace_alone(i, colors[ray_sample_[i]]);
@@ -132,10 +122,10 @@ void PacketTracer::trace_alone(std::size_t ray, Rgb& color) {
 void PacketTracer::shade(std::span<Rgb> colors) {
   const ShadingPoints points{count_,
                              is_plain_.data(),
-                             {point_[0].data(), point_[1].data(), point_[2].data()},
-                             {normal_[0].data(), normal_[1].data(), normal_[2].data()},
+                             {faces_.point[0].data(), faces_.point[1].data(), faces_.point[2].data()},
+                             {faces_.normal[0].data(), faces_.normal[1].data(), faces_.normal[2].data()},
                              {direction_[0].data(), direction_[1].data(), direction_[2].data()},
-                             look_.data()};
+                             faces_.look.data()};
   code_.unlit(scene_.looks().data(), points, pointers(color_).data());
   for (const LightDescription& light : view_.lights) add_light(light, points);
   for (std::size_t i = 0; i < count_; ++i) {
@@ -150,7 +140,7 @@ void PacketTracer::shade(std::span<Rgb> colors) {
 void PacketTracer::reflect(std::span<Rgb> colors) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (is_plain_[i] != 0 && scene_.looks()[look_[i]].reflection > 0 && reflect(i, next)) ++next;
+    if (is_plain_[i] != 0 && scene_.looks()[faces_.look[i]].reflection > 0 && reflect(i, next)) ++next;
   }
   count_ = next;
   if (depth_ + 1 < view_.settings.max_depth) return;
@@ -163,9 +153,9 @@ void PacketTracer::reflect(std::span<Rgb> colors) {
 // Puts the ray that one's face reflects where it is told to, at or before its own place; false if it counts too little.
 bool PacketTracer::reflect(std::size_t ray, std::size_t to) {
   const Vector d{direction_[0][ray], direction_[1][ray], direction_[2][ray]};
-  const Vector out{normal_[0][ray], normal_[1][ray], normal_[2][ray]};
+  const Vector out{faces_.normal[0][ray], faces_.normal[1][ray], faces_.normal[2][ray]};
   const Vector direction = normalised(mirrored(d, dot(out, d) > 0 ? -out : out));
-  const double share = scene_.looks()[look_[ray]].reflection;
+  const double share = scene_.looks()[faces_.look[ray]].reflection;
   const Rgb weight = share * (depth_ == 0 ? Rgb{1, 1, 1} : weight_[ray]);
   const bool is_direction = is_finite(direction) && direction != Vector{};
   if (brightest(weight) < view_.settings.min_contribution || !(brightest(weight) > 0) || !is_direction) {
@@ -173,13 +163,13 @@ bool PacketTracer::reflect(std::size_t ray, std::size_t to) {
     return false;
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    origin_[axis][to] = point_[axis][ray];
+    origin_[axis][to] = faces_.point[axis][ray];
     direction_[axis][to] = direction[axis];
   }
   weight_[to] = weight;
   ray_sample_[to] = ray_sample_[ray];
-  ray_departure_[to] = surface_[ray];
-  ray_departs_positive_[to] = comes_positive_[ray];
+  ray_departure_[to] = faces_.surface[ray];
+  ray_departs_positive_[to] = faces_.comes_positive[ray];
   return true;
 }
 
@@ -196,8 +186,8 @@ void PacketTracer::add_light(const LightDescription& light, const ShadingPoints&
   report_.rays.shadow += shadows.count;
   if (shadows.count == 0) return;
   for (std::size_t ray = 0; ray < shadows.count; ++ray) {
-    departure_[ray] = surface_[sample_[ray]];
-    departs_positive_[ray] = comes_positive_[sample_[ray]];
+    departure_[ray] = faces_.surface[sample_[ray]];
+    departs_positive_[ray] = faces_.comes_positive[sample_[ray]];
   }
   RayArrays rays;
   rays.count = shadows.count;

@@ -9,6 +9,7 @@
 
 #include "raycast/packet_caster.h"
 #include "shade/camera.h"
+#include "shade/detail/face_buffers.h"
 #include "shade/report.h"
 #include "shade/tracer.h"
 #include "shade/view.h"
@@ -37,9 +38,6 @@ class PacketTracer {
   RenderReport report() const;
 
  private:
-  using Numbers = std::vector<double>;
-  using Vectors = std::array<Numbers, 3>;
-
   void resize(std::size_t count);
   void see();
   bool sort_out(std::span<Rgb> colors);
@@ -49,7 +47,6 @@ class PacketTracer {
   void leave(std::size_t ray, Rgb& color) const;
   bool reflect(std::size_t ray, std::size_t to);
   void add_light(const LightDescription& light, const ShadingPoints& points);
-  std::array<double*, 3> pointers(Vectors& v) { return {v[0].data(), v[1].data(), v[2].data()}; }
 
   const ShadingCode& code_;
   const Scene& scene_;
@@ -67,10 +64,8 @@ class PacketTracer {
   std::vector<std::uint32_t> ray_sample_, ray_departure_;
   std::vector<std::uint8_t> ray_departs_positive_;
   std::vector<Rgb> weight_;
-  Vectors origin_, direction_, point_, normal_;
-  Numbers t_;
-  std::vector<std::uint8_t> state_, comes_positive_;
-  std::vector<std::uint32_t> surface_, look_;
+  Vectors origin_, direction_;
+  FaceBuffers faces_;
   std::vector<std::uint8_t> is_plain_;
   Vectors color_;
   // By shadow ray, close together.

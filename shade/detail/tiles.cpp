@@ -53,7 +53,8 @@ void choose_neighbours(Pixel pixel, const Rgb* colors, int k, Refinement& refine
 TileRenderer::TileRenderer(const Job& job)
     : job_(job),
       caster_(job.scene),
-      layers_(job.layer_cells != nullptr ? std::make_optional<LayerCaster>(*job.layer_cells, caster_) : std::nullopt),
+      layers_(job.layer_cells != nullptr ? std::make_optional<LayerCaster>(*job.layer_cells, caster_, job.instructions)
+                                         : std::nullopt),
       tracer_(caster_, job.view, layers_ ? &*layers_ : nullptr),
       outline_(job.camera.frame(), job.scene.node(job.scene.root()).box) {
   if (job.cells == nullptr) return;
