@@ -163,6 +163,7 @@ HWY_INLINE double MulSub(double a, double b, double c) { return a * b - c; }
 HWY_INLINE std::uint64_t Add(std::uint64_t a, std::uint64_t b) { return a + b; }
 HWY_INLINE std::uint64_t Sub(std::uint64_t a, std::uint64_t b) { return a - b; }
 HWY_INLINE std::uint64_t And(std::uint64_t a, std::uint64_t b) { return a & b; }
+HWY_INLINE std::uint64_t AndNot(std::uint64_t a, std::uint64_t b) { return ~a & b; }
 HWY_INLINE std::uint64_t Or(std::uint64_t a, std::uint64_t b) { return a | b; }
 HWY_INLINE std::uint64_t Xor(std::uint64_t a, std::uint64_t b) { return a ^ b; }
 /// Precondition: by < 64.

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "raycast/detail/box_tree.h"
 #include "raycast/detail/cell_builder.h"
 #include "raycast/detail/lanes.h"
 
@@ -14,6 +15,7 @@ detail::CellData cells_of(const Scene& scene, NodeId node) {
   detail::CellGround ground(scene, node);
   detail::lane_codes();  // finds out once what the machine has, which takes as long as thousands of rays
   detail::CellData data = detail::CellBuilder(ground, scene.leaves().size()).build(node);
+  detail::add_box_tree(ground, node, data);
   return data;
 }
 
@@ -36,7 +38,9 @@ Cells::Counts Cells::counts() const {
     counts.undecided += cell.is_undecided ? 1 : 0;
   }
   const auto bytes_of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  counts.bytes = bytes_of(data_->nodes) + bytes_of(data_->cells) + bytes_of(data_->slots) + bytes_of(data_->steps);
+  const detail::BoxTree& boxes = data_->boxes;
+  counts.bytes = bytes_of(data_->nodes) + bytes_of(data_->cells) + bytes_of(data_->slots) + bytes_of(data_->steps) +
+                 bytes_of(boxes.nodes) + bytes_of(boxes.conjunctions) + bytes_of(boxes.sides);
   return counts;
 }
 

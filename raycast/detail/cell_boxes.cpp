@@ -19,15 +19,6 @@ CellBox hull(const CellBox& a, const CellBox& b) {
   return result;
 }
 
-CellBox intersection(const CellBox& a, const CellBox& b) {
-  CellBox result;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    result.lower[axis] = std::fmax(a.lower[axis], b.lower[axis]);
-    result.upper[axis] = std::fmin(a.upper[axis], b.upper[axis]);
-  }
-  return result;
-}
-
 CellBox in_frame(const Box& box, const Frame& frame) {
   CellBox result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -54,6 +45,12 @@ CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {
       std::any_of(scene.leaves().begin(), scene.leaves().end(), [](const Leaf& leaf) { return leaf.shows_cut; });
   if (has_cuts) holders = HolderTree(scene, node);
   place_leaves(node);
+}
+
+LookId CellGround::look_of(const Leaf& leaf, bool one_region) const {
+  if (!leaf.shows_cut) return leaf.look;
+  const bool is_even = one_region && leaf.region.valid() && even_look[leaf.region.index()] != 0;
+  return is_even ? scene.region(leaf.region).look : LookId();
 }
 
 void CellGround::place_leaves(NodeId node) {
@@ -88,8 +85,7 @@ CellBox CellGround::box_of_leaf(const Leaf& leaf, const Box& world) const {
       const bool is_upper = takes_negative == (surface.c[1] > 0);
       cut(axis_of(kind), is_upper ? -HUGE_VAL : surface.c[0], is_upper ? surface.c[0] : HUGE_VAL);
     }
-    const bool is_round = kind == LaneSurface::Kind::sphere || is_axis_cylinder(kind);
-    if (!is_round || takes_negative != (surface.c[5] > 0)) continue;
+    if (!is_round(kind) || takes_negative != (surface.c[5] > 0)) continue;
     const double radius = std::sqrt(surface.c[3]);
     Vector center{surface.c[0], surface.c[1], surface.c[2]};
     if (kind == LaneSurface::Kind::sphere) center = axes->turned(center);

@@ -26,6 +26,15 @@ inline bool apart(const CellBox& a, const CellBox& b) {
   return false;
 }
 
+inline CellBox intersection(const CellBox& a, const CellBox& b) {
+  CellBox result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    result.lower[axis] = a.lower[axis] > b.lower[axis] ? a.lower[axis] : b.lower[axis];
+    result.upper[axis] = a.upper[axis] < b.upper[axis] ? a.upper[axis] : b.upper[axis];
+  }
+  return result;
+}
+
 /// What is known of a scene before its space is cut: read by all who build its cells.
 struct CellGround {
   CellGround(const Scene& scene, NodeId node);
@@ -39,6 +48,10 @@ struct CellGround {
   HolderTree holders;
   CellBox box{};  ///< of the node; of an unbounded one the frame's cube
   bool is_bounded = true;
+
+  /// What a leaf's faces show wherever they are; not valid if that depends on the place. `one_region`: of whatever else
+  /// is there nothing belongs to another region.
+  LookId look_of(const Leaf& leaf, bool one_region) const;
 
  private:
   void place_leaves(NodeId node);

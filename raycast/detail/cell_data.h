@@ -60,6 +60,7 @@ struct Cell {
   static constexpr unsigned most_slots = 62;  ///< and beyond, `steps`; more cells hold none: `is_undecided`
 
   static constexpr std::size_t most_operands = 32;  ///< that the steps may have waiting
+  static constexpr std::size_t most_steps = 0xfffe;
 
   std::uint64_t table = 0;
   double slack = 0;  ///< what its surfaces need of it whatever the ray
@@ -83,6 +84,42 @@ struct AxisBounds {
   double off_axis = 0x1p-42;     ///< what a distance squared from an axis may be off, of rays along it
 };
 
+/// Eight boxes side by side, rounded outward. There are none where `lower` is above `upper`.
+struct alignas(64) BoxNode {
+  static constexpr std::size_t width = 8;
+  static constexpr std::uint32_t conjunction = 0x80000000u;  ///< this bit of `child`: the rest is no node but what is
+                                                             ///< in the box
+
+  float lower[3][width];
+  float upper[3][width];
+  std::uint32_t child[width];
+};
+
+/// The side of a surface that a conjunction takes.
+struct BoxedSide {
+  std::uint32_t slot = 0;
+  bool wants_positive = false;
+  bool is_shared = false;  ///< other conjunctions have the surface, too
+};
+
+/// A leaf, or leaves that an intersection joins: sides [first, first + count).
+struct Conjunction {
+  std::uint32_t first = 0;
+  std::uint16_t count = 0;
+  bool is_subtracted = false;
+};
+
+/// A solid that is a union of conjunctions less others, in a hierarchy of boxes: what rays ask who want to know all
+/// that they meet. A packet's lines gather the few conjunctions whose boxes they meet, and what the tree comes to along
+/// them is that of one cell with these (docs/architecture.md).
+struct BoxTree {
+  std::vector<BoxNode> nodes;  ///< none: the solid is not like that, or cells are better
+  std::vector<Conjunction> conjunctions;
+  std::vector<BoxedSide> sides;
+  double slack = 0;             ///< as of a cell with all its surfaces
+  bool may_have_twins = false;  ///< likewise
+};
+
 /// Space in cells, in the frame's coordinates, turned.
 struct CellData {
   bool is_turned = false;
@@ -95,6 +132,7 @@ struct CellData {
   std::vector<Cell> cells;
   std::vector<Slot> slots;
   std::vector<Step> steps;
+  BoxTree boxes;
   std::array<bool, 3> has_cylinders{};  ///< along each axis of the frame
   bool has_axis_planes = false;         ///< square to an axis
   bool has_quadrics = false;            ///< spheres and others

@@ -10,7 +10,6 @@
 namespace csgcast::detail {
 namespace {
 
-constexpr double least_radius = 0x1p14 * greatest_slack;
 constexpr std::size_t most_tabled = 10;  // more surfaces than that are not searched for those that do not matter
 constexpr std::array<std::uint64_t, 6> variable{0xaaaaaaaaaaaaaaaau, 0xccccccccccccccccu, 0xf0f0f0f0f0f0f0f0u,
                                                 0xff00ff00ff00ff00u, 0xffff0000ffff0000u, 0xffffffff00000000u};
@@ -110,7 +109,7 @@ void CellBuilder::add_steps(const Formula& formula, Cell& cell) {
     }
   }
   const std::size_t count = data_.steps.size() - cell.first_step;
-  if (count > 0xffff) cell.is_undecided = true;
+  if (count > Cell::most_steps) cell.is_undecided = true;
   cell.step_count = static_cast<std::uint16_t>(count);
 }
 
@@ -159,11 +158,8 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const LaneSurface& surface = ground_.surfaces[surfaces[i].index()];
     if (is_plane(surface.kind)) ++cell.plane_count;
-    const bool is_round = surface.kind == LaneSurface::Kind::sphere || is_axis_cylinder(surface.kind);
-    if (is_round) cell.slack = round_slack;
-    // The two crossings of a round surface that is not open are 2^-11 of its radius apart or more.
-    const bool is_tiny = is_round && surface.c[3] < least_radius * least_radius;
-    if (surface.kind == LaneSurface::Kind::quadric || is_tiny) cell.may_have_twins = true;
+    if (is_round(surface.kind)) cell.slack = round_slack;
+    if (may_have_twins(surface)) cell.may_have_twins = true;
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
   }
   find_owners(formula, surfaces, box);
@@ -206,9 +202,8 @@ void CellBuilder::find_owners(const Formula& formula, std::span<const SurfaceId>
 // What a leaf's faces show, if that is the same everywhere in the cell. Of a cut it is the look of the first leaf that
 // holds the place: one of the same region if no other region has a part in the cell.
 LookId CellBuilder::face_look(const Leaf& leaf, bool one_region, const CellBox& box) {
-  if (!leaf.shows_cut) return leaf.look;
-  const bool is_even = one_region && leaf.region.valid() && ground_.even_look[leaf.region.index()] != 0;
-  if (is_even) return scene_.region(leaf.region).look;
+  const LookId everywhere = ground_.look_of(leaf, one_region);
+  if (everywhere.valid() || !leaf.shows_cut) return everywhere;
   const HolderTree::Shown& shown = cut_look(box);
   if (!shown.is_one || (shown.may_be_none && !leaf.region.valid())) return {};
   if (!shown.may_be_none) return shown.look;

@@ -326,43 +326,59 @@ HWY_INLINE void loosen_far_events(D d, const LineLanes<D>& line, const Slot& pla
   widen(events, hn::IfThenElseZero(hn::AndNot(departing, is_sound), off));
 }
 
+/// No events yet.
+template <class D>
+HWY_INLINE void clear_events(D d, const LineLanes<D>& line, double slack, Events<D>& events) {
+  events.slack = certified ? hn::Max(line.slack, hn::Set(d, slack)) : line.slack;
+  events.flagged = hn::MaskFromVec(hn::Zero(d));
+  events.before = hn::Zero(BitsOf<D>());
+}
+
+/// The events of one surface, as the i-th.
+template <class D>
+HWY_INLINE void add_events(D d, const Scene& scene, const LineLanes<D>& line, const AxisBounds& bounds,
+                           const Slot& surface, const Departures<D>* departures, std::size_t i, Events<D>& events) {
+  using Kind = LaneSurface::Kind;
+  const std::uint32_t id = surface.surface;
+  const auto departing =
+      departures != nullptr ? departing_from(d, *departures, id) : hn::MaskFromVec(hn::Zero(d));
+  switch (surface.kind) {
+    case Kind::plane_x:
+    case Kind::plane_y:
+    case Kind::plane_z: {
+      const auto axis = static_cast<std::size_t>(surface.kind);
+      axis_plane_events(d, line, surface, axis, i, events);
+      if (departures != nullptr) depart_from_axis_plane(d, line, axis, departing, i, events);
+      break;
+    }
+    case Kind::plane:
+      plane_events(d, line, surface, departing, i, events);
+      break;
+    case Kind::cylinder_x:
+    case Kind::cylinder_y:
+    case Kind::cylinder_z:
+      cylinder_events(d, line, bounds, surface, axis_of(surface.kind), departing, departures, i, events);
+      break;
+    case Kind::sphere:
+      sphere_events(d, line, surface, departing, departures, i, events);
+      break;
+    default:
+      quadric_events(d, line, scene.surfaces()[id], departing, departures, i, events);
+  }
+}
+
 /// The events of all surfaces of a cell.
 template <class D>
 HWY_INLINE void cell_events(D d, const Scene& scene, const LineLanes<D>& line, const CellData& cells, const Cell& cell,
                             const Departures<D>* departures, Events<D>& events) {
-  using Kind = LaneSurface::Kind;
-  const auto nobody = hn::Ne(line.start, line.start);
-  events.slack = certified ? hn::Max(line.slack, hn::Set(d, cell.slack)) : line.slack;
-  events.flagged = nobody;
-  events.before = hn::Zero(BitsOf<D>());
+  clear_events(d, line, cell.slack, events);
   for (std::size_t i = 0; i < cell.slot_count; ++i) {
     const Slot& surface = cells.slots[cell.first_slot + i];
-    const std::uint32_t id = surface.surface;
-    const auto departing = departures != nullptr ? departing_from(d, *departures, id) : nobody;
-    switch (surface.kind) {
-      case Kind::plane_x:
-      case Kind::plane_y:
-      case Kind::plane_z: {
-        const auto axis = static_cast<std::size_t>(surface.kind);
-        axis_plane_events(d, line, surface, axis, i, events);
-        if (departures != nullptr) depart_from_axis_plane(d, line, axis, departing, i, events);
-        break;
-      }
-      case Kind::plane:
-        plane_events(d, line, surface, departing, i, events);
-        break;
-      case Kind::cylinder_x:
-      case Kind::cylinder_y:
-      case Kind::cylinder_z:
-        cylinder_events(d, line, cells.axis_bounds, surface, axis_of(surface.kind), departing, departures, i, events);
-        break;
-      case Kind::sphere:
-        sphere_events(d, line, surface, departing, departures, i, events);
-        break;
-      default:
-        quadric_events(d, line, scene.surfaces()[id], departing, departures, i, events);
-    }
-    if (cell.is_far) loosen_far_events(d, line, surface, departing, i, events);
+    add_events(d, scene, line, cells.axis_bounds, surface, departures, i, events);
+    if (!cell.is_far) continue;
+    const auto nobody = hn::MaskFromVec(hn::Zero(d));
+    const auto departing = departures != nullptr ? departing_from(d, *departures, surface.surface) : nobody;
+    loosen_far_events(d, line, surface, departing, i, events);
   }
 }
 

@@ -118,6 +118,13 @@ LaneSurface cylinder(const CellForm& form, bool is_turned, std::size_t axis) {
 
 }  // namespace
 
+bool may_have_twins(const LaneSurface& surface) {
+  // The two crossings of a round surface that is not open are 2^-11 of its radius apart or more.
+  constexpr double least_radius = 0x1p14 * greatest_slack;
+  return surface.kind == LaneSurface::Kind::quadric ||
+         (is_round(surface.kind) && surface.c[3] < least_radius * least_radius);
+}
+
 LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned) {
   if (!surface.in_range) return {};
   if (surface.kind == SurfaceKind::plane) return plane(surface, turned);

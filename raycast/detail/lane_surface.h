@@ -34,11 +34,15 @@ constexpr bool is_plane(LaneSurface::Kind kind) { return kind <= LaneSurface::Ki
 constexpr bool is_axis_cylinder(LaneSurface::Kind kind) {
   return kind >= LaneSurface::Kind::cylinder_x && kind <= LaneSurface::Kind::cylinder_z;
 }
+constexpr bool is_round(LaneSurface::Kind kind) { return kind == LaneSurface::Kind::sphere || is_axis_cylinder(kind); }
 /// Of a plane square to an axis, or of a cylinder along one.
 constexpr std::size_t axis_of(LaneSurface::Kind kind) {
   return static_cast<std::size_t>(kind) -
          (is_plane(kind) ? std::size_t{0} : static_cast<std::size_t>(LaneSurface::Kind::cylinder_x));
 }
+
+/// Whether a line may meet the surface twice within slack of cells, and be certain of it.
+bool may_have_twins(const LaneSurface& surface);
 
 /// `turned`: the surface's form in the axes of the cells; null: these are the frame's.
 LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned);

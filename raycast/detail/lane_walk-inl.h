@@ -50,7 +50,7 @@ class Walk {
     }
     M waiting = hn::And(live_, hn::Le(from, to));
     if constexpr (hn::is_single<D>) {
-      if (waiting) descend(from, to, signs_of(0));
+      if (waiting) go(from, to, waiting, signs_of(0));
       return;
     }
     // Lanes of one direction's signs at a time: these share the order of the cells.
@@ -63,7 +63,7 @@ class Walk {
         group = ((signs >> axis) & 1) != 0 ? hn::And(group, negative) : hn::AndNot(negative, group);
       }
       waiting = hn::AndNot(group, waiting);
-      descend(from, hn::IfThenElse(group, to, hn::Neg(hn::Inf(d))), signs);
+      go(from, to, group, signs);
     }
   }
 
@@ -93,8 +93,86 @@ class Walk {
     return signs;
   }
 
+  /// Lanes of one direction's signs.
+  HWY_INLINE void go(V from, V to, M lanes, unsigned signs) {
+    if (uses_boxes && !cells_.boxes.nodes.empty() && go_by_boxes(from, to, lanes, signs)) return;
+    descend(from, hn::IfThenElse(lanes, to, hn::Neg(hn::Inf(D()))), signs);
+  }
+
+  /// As if all were one cell, with the surfaces of what the lanes may meet; false if these are too many.
+  bool go_by_boxes(V from, V to, M lanes, unsigned signs) {
+    const D d;
+    Beam beam;
+    set_beam(d, line_, lanes, signs, from, to, beam);
+    if (!gather<hn::is_single<D>>(cells_.boxes, beam, gathered_, counts_)) return false;
+    Cell cell;
+    cell.slack = cells_.boxes.slack;
+    cell.may_have_twins = cells_.boxes.may_have_twins;
+    cell.step_count = gathered_cell;
+    if (!gather_events(from, to, lanes, cell)) return false;
+    ++counts_.cells;
+    const M starting = hn::And(lanes, hn::Le(from, line_.start));
+    begun_ = hn::Or(begun_, lanes);
+    if (cell.slot_count != 0) look_into(cell, from, to, lanes, starting);
+    return true;
+  }
+
+  /// The events of the surfaces of all conjunctions that were gathered, but for those that the lanes miss; false if
+  /// they are too many.
+  HWY_INLINE bool gather_events(V from, V to, M lanes, Cell& cell) {
+    const D d;
+    const BoxTree& tree = cells_.boxes;
+    clear_events(d, line_, cell.slack, events_);
+    gathered_.begin();
+    const V margin = hn::Set(d, 4 * greatest_slack);
+    const V earliest = hn::Sub(from, margin);
+    const V latest = hn::Add(to, margin);
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < gathered_.conjunction_count; ++k) {
+      const Conjunction& conjunction = tree.conjunctions[gathered_.conjunctions[k]];
+      const BoxedSide* const sides = tree.sides.data() + conjunction.first;
+      counts_.surface_tests += conjunction.count;
+      if (count + conjunction.count > Cell::most_slots) return false;
+      if (conjunction.count == 1 && !sides->is_shared) {
+        add_events(d, scene_, line_, cells_.axis_bounds, cells_.slots[sides->slot], departures_, count, events_);
+        const M met = hn::And(hn::Le(events_.first[count], latest), hn::Ge(events_.second[count], earliest));
+        const std::uint64_t bit = std::uint64_t{1} << count;
+        if (hn::AllFalse(d, hn::And(lanes, met))) {
+          events_.before = hn::AndNot(hn::Set(Bits(), bit), events_.before);
+          continue;
+        }
+        gathered_.slots[count++] = sides->slot;
+        (conjunction.is_subtracted ? gathered_.subtracted : gathered_.united) |= bit;
+        if (!sides->wants_positive) gathered_.flipped |= bit;
+        continue;
+      }
+      Gathered::Part part{0, 0, conjunction.is_subtracted};
+      for (std::size_t i = 0; i < conjunction.count; ++i) {
+        std::size_t at = sides[i].is_shared ? gathered_.place_of(sides[i].slot, count) : count;
+        if (at == count) {
+          const Slot& slot = cells_.slots[sides[i].slot];
+          add_events(d, scene_, line_, cells_.axis_bounds, slot, departures_, count, events_);
+          if (is_plane(slot.kind)) events_.second[count] = hn::Inf(d);
+          gathered_.slots[count++] = sides[i].slot;
+        }
+        part.mask |= std::uint64_t{1} << at;
+        if (sides[i].wants_positive) part.want |= std::uint64_t{1} << at;
+      }
+      gathered_.parts[gathered_.part_count++] = part;
+    }
+    cell.slot_count = static_cast<std::uint8_t>(count);
+    return true;
+  }
+
+  HWY_INLINE std::uint32_t slot_of(const Cell& cell, std::size_t i) const {
+    return cell.step_count == gathered_cell ? gathered_.slots[i] : cell.first_slot + static_cast<std::uint32_t>(i);
+  }
+
   HWY_INLINE U state_at(const Cell& cell, V at) const { return event_state(D(), events_, cell, at); }
-  HWY_INLINE M value_of(const Cell& cell, U state) const { return cell_value(D(), cells_, cell, state); }
+  HWY_INLINE M value_of(const Cell& cell, U state) const {
+    if (cell.step_count == gathered_cell) return hn::RebindMask(D(), gathered_value(D(), gathered_, state));
+    return cell_value(D(), cells_, cell, state);
+  }
 
   HWY_INLINE void clip(V& from, V& to) const {
     const D d;
@@ -193,6 +271,12 @@ class Walk {
     }
     counts_.surface_tests += cell.slot_count;
     cell_events(d, scene_, line_, cells_, cell, departures_, events_);
+    look_into(cell, from, to, active, starting);
+  }
+
+  /// What the lanes meet in a cell whose events are known.
+  HWY_INLINE void look_into(const Cell& cell, V from, V to, M active, M starting) {
+    const D d;
     if constexpr (certified) {
       flag(hn::And(active, events_.flagged));
       if (cell.may_have_twins) flag(hn::And(active, twins(d, events_, cell, from, to)));
@@ -295,10 +379,22 @@ class Walk {
     const U index = logarithm(D(), flips);
     const M rises = hn::RebindMask(D(), hn::Ne(hn::And(flips, after), hn::Zero(bits)));
     if constexpr (wanted == Wanted::all) return append(cell, changes, index, rises, hn::Not(now_inside_));
-    slot_ = hn::IfThenElse(lanes, hn::Add(hn::Set(bits, cell.first_slot), index), slot_);
+    slot_ = hn::IfThenElse(lanes, slots_of(cell, index), slot_);
     rises_ = hn::Or(rises_, hn::And(changes, rises));
     found_ = hn::Or(found_, changes);
     live_ = hn::AndNot(changes, live_);
+  }
+
+  HWY_INLINE U slots_of(const Cell& cell, U index) const {
+    const Bits bits;
+    if (cell.step_count != gathered_cell) return hn::Add(hn::Set(bits, cell.first_slot), index);
+    HWY_ALIGN std::uint64_t slots[16];
+    hn::Store(index, bits, slots);
+    for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane) {
+      // Of lanes that found nothing the index means nothing.
+      slots[lane] = gathered_.slots[slots[lane] < Cell::most_slots ? slots[lane] : 0];
+    }
+    return hn::Load(bits, slots);
   }
 
   void append(const Cell& cell, M changes, U index, M rises, M enters) {
@@ -314,7 +410,7 @@ class Walk {
       const std::uint64_t i = indices[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
       const M same = hn::And(rest, hn::RebindMask(d, hn::Eq(index, hn::Set(bits, i))));
       rest = hn::AndNot(same, rest);
-      const Slot& slot = cells_.slots[cell.first_slot + i];
+      const Slot& slot = cells_.slots[slot_of(cell, i)];
       const std::uint32_t id = slot.surface;
       M second, is_open;
       const Surface& surface = scene_.surfaces()[id];
@@ -346,6 +442,8 @@ class Walk {
   }
 
   static constexpr std::size_t most_depth = 72;
+  static constexpr bool uses_boxes = wanted == Wanted::all;
+  static constexpr std::uint16_t gathered_cell = 0xffff;  // its steps: the cell is what was gathered
 
   const Scene& scene_;
   const CellData& cells_;
@@ -354,6 +452,7 @@ class Walk {
   EndLog<D>* ends_;
   PacketCounts& counts_;
   Events<D> events_;
+  Gathered gathered_;
   M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_, unrounded_, covered_lanes_;
   V covered_;
   bool rounds_ = false;

@@ -30,6 +30,8 @@
 //
 #include "raycast/detail/lane_log-inl.h"
 //
+#include "raycast/detail/lane_boxes-inl.h"
+//
 #include "raycast/detail/lane_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/detail/box_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace csgcast::detail {
+namespace {
+
+// With fewer conjunctions cells are better; with more surfaces along a line (Cauchy: of the lines through a box those
+// that meet a convex part are as many as their areas say) sweeping them in one is.
+constexpr std::size_t fewest_conjunctions = 32;
+constexpr double most_expected = 24;
+
+// Boxes are so much wider that neither their rounding nor that of rays in single precision loses any line.
+constexpr double widening = 0x1p-18;
+
+using Float3 = std::array<float, 3>;
+
+struct FloatBox {
+  Float3 lower, upper;
+
+  void add(const FloatBox& other) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lower[axis] = std::min(lower[axis], other.lower[axis]);
+      upper[axis] = std::max(upper[axis], other.upper[axis]);
+    }
+  }
+  float area() const {
+    const float x = upper[0] - lower[0], y = upper[1] - lower[1], z = upper[2] - lower[2];
+    return x * y + y * z + z * x;
+  }
+};
+
+// Beyond every coordinate, with a lower side above the upper one.
+constexpr FloatBox nothing{{1000, 1000, 1000}, {-1000, -1000, -1000}};
+
+double area(const CellBox& box) {
+  const Vector s = box.upper - box.lower;
+  return s.x * s.y + s.y * s.z + s.z * s.x;
+}
+
+// A conjunction while the hierarchy is made.
+struct Item {
+  FloatBox box;
+  std::uint32_t index = 0;
+
+  float middle(std::size_t axis) const { return box.lower[axis] + box.upper[axis]; }
+};
+
+// Takes a formula apart into a union of conjunctions less others.
+class Conjunctions {
+ public:
+  Conjunctions(const CellGround& ground, const CellBox& everything) : ground_(ground), everything_(everything) {}
+
+  // False if the formula is not like that.
+  bool read(const Formula& formula, BoxTree& tree);
+  const std::vector<CellBox>& boxes() const { return boxes_; }
+  // By side: its surface and leaf.
+  const std::vector<std::pair<SurfaceId, LeafId>>& owners() const { return owners_; }
+
+ private:
+  struct Open {
+    std::size_t end;
+    Term::Op op;
+    bool is_top;  // nothing but differences above, whose first operand it is
+    bool is_subtracted;
+    bool has_first;
+  };
+
+  bool add_leaf(std::span<const Term> leaf, bool joins, bool is_subtracted, BoxTree& tree);
+
+  const CellGround& ground_;
+  CellBox everything_;
+  std::vector<CellBox> boxes_;
+  std::vector<std::pair<SurfaceId, LeafId>> owners_;
+};
+
+bool Conjunctions::read(const Formula& formula, BoxTree& tree) {
+  std::vector<Open> open;
+  bool joins = false;
+  for (std::size_t i = 0; i < formula.terms.size();) {
+    const Term& term = formula.terms[i];
+    while (!open.empty() && open.back().end == i) open.pop_back();
+    Open own{i + term.size, term.op, true, false, false};
+    bool in_intersection = false;
+    if (!open.empty()) {
+      Open& above = open.back();
+      const bool is_first = !above.has_first;
+      above.has_first = true;
+      in_intersection = above.op == Term::Op::intersect;
+      const bool is_only = is_first && own.end == above.end;
+      own.is_top = above.is_top && (above.op == Term::Op::subtract ? is_first : is_only && !in_intersection);
+      own.is_subtracted = above.is_subtracted || (above.op == Term::Op::subtract && !is_first);
+    }
+    if (term.op == Term::Op::leaf) {
+      if (!add_leaf(std::span(formula.terms).subspan(i, term.size), joins && in_intersection, own.is_subtracted, tree))
+        return false;
+      joins = true;
+      i += term.size;
+      continue;
+    }
+    const bool fits = term.op == Term::Op::unite ? !in_intersection
+                      : term.op == Term::Op::subtract ? own.is_top
+                                                      : term.op == Term::Op::intersect;
+    if (!fits) return false;
+    // One intersection within another goes on with its conjunction.
+    if (term.op == Term::Op::intersect && !in_intersection) joins = false;
+    open.push_back(own);
+    ++i;
+  }
+  return true;
+}
+
+bool Conjunctions::add_leaf(std::span<const Term> leaf, bool joins, bool is_subtracted, BoxTree& tree) {
+  const LeafId id(leaf.front().what);
+  CellBox box = intersection(ground_.leaf_boxes[id.index()], everything_);
+  if (joins) {
+    box = intersection(box, boxes_.back());
+  } else {
+    tree.conjunctions.push_back({static_cast<std::uint32_t>(tree.sides.size()), 0, is_subtracted});
+    boxes_.emplace_back();
+  }
+  boxes_.back() = box;
+  if (tree.conjunctions.back().count + leaf.size() - 1 > Cell::most_slots) return false;
+  for (const Term& side : leaf.subspan(1)) {
+    if (ground_.surfaces[side.surface().index()].kind == LaneSurface::Kind::undecided) return false;
+    tree.sides.push_back({0, side.wants_positive(), false});
+    owners_.emplace_back(side.surface(), id);
+    ++tree.conjunctions.back().count;
+  }
+  return true;
+}
+
+// Gives each surface of the conjunctions its slot.
+void add_slots(const CellGround& ground, const Conjunctions& read, CellData& data) {
+  constexpr std::uint32_t none = 0xffffffffu;
+  const Scene& scene = ground.scene;
+  const auto& owners = read.owners();
+  BoxTree& tree = data.boxes;
+  const bool one_region = std::all_of(owners.begin(), owners.end(), [&](const auto& owner) {
+    return scene.leaf(owner.second).region == scene.leaf(owners.front().second).region;
+  });
+  std::vector<std::uint32_t> slot_of(scene.surfaces().size(), none);
+  std::vector<std::uint32_t> first_side(scene.surfaces().size(), none);
+  for (std::uint32_t side = 0; side < owners.size(); ++side) {
+    const auto [surface, leaf] = owners[side];
+    const LookId look = ground.look_of(scene.leaf(leaf), one_region);
+    std::uint32_t& slot = slot_of[surface.index()];
+    if (slot == none) {
+      slot = static_cast<std::uint32_t>(data.slots.size());
+      first_side[surface.index()] = side;
+      const LaneSurface& shape = ground.surfaces[surface.index()];
+      data.slots.emplace_back(shape, surface, leaf, look);
+      if (is_round(shape.kind)) tree.slack = round_slack;
+      if (may_have_twins(shape)) tree.may_have_twins = true;
+    } else {
+      Slot& shared = data.slots[slot];
+      if (shared.leaf != leaf.index()) shared.leaf = LeafId().index();
+      if (shared.look != look.index()) shared.look = LookId().index();
+      tree.sides[side].is_shared = tree.sides[first_side[surface.index()]].is_shared = true;
+    }
+    tree.sides[side].slot = slot;
+  }
+}
+
+// The hierarchy: halved by the surface area heuristic until eight parts are found, node by node.
+class Hierarchy {
+ public:
+  Hierarchy(std::vector<Item> items, std::vector<BoxNode>& nodes) : items_(std::move(items)), nodes_(nodes) {}
+
+  void build();
+
+ private:
+  struct Range {
+    std::size_t begin = 0, end = 0;
+    FloatBox box = nothing;
+
+    std::size_t size() const { return end - begin; }
+  };
+  struct Work {
+    Range range;
+    std::size_t node;
+  };
+  static constexpr std::size_t bins = 16;
+  struct Plane {
+    std::size_t axis = 0;
+    std::size_t bin = 0;
+    float cost = HUGE_VALF;
+  };
+
+  Range range_of(std::size_t begin, std::size_t end) const;
+  std::size_t halve(const Range& range);
+  static std::size_t bin_of(const Item& item, std::size_t axis, float low, float scale);
+  Plane best_plane(const Range& range, std::size_t axis, float low, float scale) const;
+
+  std::vector<Item> items_;
+  std::vector<BoxNode>& nodes_;
+};
+
+Hierarchy::Range Hierarchy::range_of(std::size_t begin, std::size_t end) const {
+  Range range{begin, end, nothing};
+  for (std::size_t i = begin; i < end; ++i) range.box.add(items_[i].box);
+  return range;
+}
+
+std::size_t Hierarchy::bin_of(const Item& item, std::size_t axis, float low, float scale) {
+  return std::min(bins - 1, static_cast<std::size_t>((item.middle(axis) - low) * scale));
+}
+
+Hierarchy::Plane Hierarchy::best_plane(const Range& range, std::size_t axis, float low, float scale) const {
+  std::array<FloatBox, bins> boxes;
+  std::array<std::size_t, bins> counts{};
+  boxes.fill(nothing);
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const std::size_t bin = bin_of(items_[i], axis, low, scale);
+    boxes[bin].add(items_[i].box);
+    ++counts[bin];
+  }
+  std::array<float, bins> below{};  // the cost of all bins before one
+  FloatBox box = nothing;
+  std::size_t count = 0;
+  for (std::size_t bin = 0; bin + 1 < bins; ++bin) {
+    box.add(boxes[bin]);
+    count += counts[bin];
+    below[bin + 1] = count == 0 ? HUGE_VALF : box.area() * static_cast<float>(count);
+  }
+  Plane best;
+  box = nothing;
+  count = 0;
+  for (std::size_t bin = bins - 1; bin > 0; --bin) {
+    box.add(boxes[bin]);
+    count += counts[bin];
+    const float cost = count == 0 ? HUGE_VALF : below[bin] + box.area() * static_cast<float>(count);
+    if (cost < best.cost) best = {axis, bin, cost};
+  }
+  return best;
+}
+
+// Sorts the items of a range into two parts, neither empty; returns where the second begins.
+std::size_t Hierarchy::halve(const Range& range) {
+  Float3 low{HUGE_VALF, HUGE_VALF, HUGE_VALF}, scale{};
+  Float3 high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], items_[i].middle(axis));
+      high[axis] = std::max(high[axis], items_[i].middle(axis));
+    }
+  }
+  Plane best;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float length = high[axis] - low[axis];
+    if (!(length > 1e-9f)) continue;
+    scale[axis] = static_cast<float>(bins) / length;
+    const Plane plane = best_plane(range, axis, low[axis], scale[axis]);
+    if (plane.cost < best.cost) best = plane;
+  }
+  if (best.bin == 0) return range.begin + range.size() / 2;  // all in one place
+  const auto first = items_.begin() + static_cast<std::ptrdiff_t>(range.begin);
+  const auto last = items_.begin() + static_cast<std::ptrdiff_t>(range.end);
+  const auto second = std::stable_partition(first, last, [&](const Item& item) {
+    return bin_of(item, best.axis, low[best.axis], scale[best.axis]) < best.bin;
+  });
+  return static_cast<std::size_t>(second - items_.begin());
+}
+
+void Hierarchy::build() {
+  std::vector<Work> work{{range_of(0, items_.size()), 0}};
+  nodes_.emplace_back();
+  while (!work.empty()) {
+    const Work at = work.back();
+    work.pop_back();
+    std::array<Range, BoxNode::width> parts;
+    std::size_t count = 1;
+    parts[0] = at.range;
+    while (count < BoxNode::width) {
+      const auto largest = std::max_element(parts.begin(), parts.begin() + count, [](const Range& a, const Range& b) {
+        return (a.size() > 1 ? a.box.area() : -1) < (b.size() > 1 ? b.box.area() : -1);
+      });
+      if (largest->size() < 2) break;
+      const std::size_t middle = halve(*largest);
+      parts[count++] = range_of(middle, largest->end);
+      *largest = range_of(largest->begin, middle);
+    }
+    for (std::size_t k = 0; k < BoxNode::width; ++k) {
+      const FloatBox& box = k < count ? parts[k].box : nothing;
+      std::uint32_t child = 0;
+      if (k < count && parts[k].size() == 1) {
+        child = BoxNode::conjunction | items_[parts[k].begin].index;
+      } else if (k < count) {
+        child = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.emplace_back();
+        work.push_back({parts[k], child});
+      }
+      BoxNode& node = nodes_[at.node];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        node.lower[axis][k] = box.lower[axis];
+        node.upper[axis][k] = box.upper[axis];
+      }
+      node.child[k] = child;
+    }
+  }
+}
+
+std::optional<FloatBox> widened(const CellBox& box) {
+  FloatBox result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (box.lower[axis] > box.upper[axis]) return std::nullopt;  // nothing of it can matter
+    result.lower[axis] = static_cast<float>(box.lower[axis] - widening);
+    result.upper[axis] = static_cast<float>(box.upper[axis] + widening);
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_box_tree(const CellGround& ground, NodeId node, CellData& data) {
+  if (data.is_empty || data.reaches_beyond || ground.scene.leaves().size() < fewest_conjunctions) return;
+  Conjunctions read(ground, inflated(data.box));
+  BoxTree tree;
+  const Formula whole = formula_of(ground.scene, node);
+  if (!read.read(whole, tree) || tree.conjunctions.size() < fewest_conjunctions) return;
+  std::vector<Item> items;
+  double expected = 0;
+  for (std::size_t i = 0; i < tree.conjunctions.size(); ++i) {
+    const std::optional<FloatBox> box = widened(read.boxes()[i]);
+    if (!box) continue;
+    items.push_back({*box, static_cast<std::uint32_t>(i)});
+    expected += static_cast<double>(tree.conjunctions[i].count) * area(read.boxes()[i]) / area(data.box);
+  }
+  if (items.empty() || expected > most_expected) return;
+  data.boxes = std::move(tree);
+  add_slots(ground, read, data);
+  Hierarchy(std::move(items), data.boxes.nodes).build();
+}
+
+}  // namespace csgcast::detail

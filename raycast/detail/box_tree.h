@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "raycast/detail/cell_builder.h"
+
+namespace csgcast::detail {
+
+/// Adds the hierarchy of boxes to the cells of a node, if the solid is a bounded union of conjunctions less others, so
+/// many that it pays, and a line meets few of them.
+void add_box_tree(const CellGround& ground, NodeId node, CellData& data);
+
+}  // namespace csgcast::detail
