@@ -16,7 +16,7 @@ namespace boxes = hwy::HWY_NAMESPACE;
 /// What holds all lines of some lanes: where they are near the frame's center, the inverses of their directions, and
 /// where they start and end. Rounded outward; their directions have one sign on each axis.
 struct Beam {
-  float near_low[3], near_high[3];
+  float front[3], back[3];  ///< what to take from the sides of boxes where lines come in and leave
   float inverse_low[3], inverse_high[3];
   float from, to;
   unsigned falls;  ///< the axes along which they do
@@ -50,8 +50,11 @@ HWY_INLINE void set_beam(D d, const LineLanes<D>& line, hn::Mask<D> lanes, unsig
   // A line across an axis stays on its side of every box for as long as anybody looks.
   constexpr double most = 1e30;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    beam.near_low[axis] = rounded_down(least_of(d, lanes, near[axis]));
-    beam.near_high[axis] = rounded_up(greatest_of(d, lanes, near[axis]));
+    const float least = rounded_down(least_of(d, lanes, near[axis]));
+    const float greatest = rounded_up(greatest_of(d, lanes, near[axis]));
+    const bool is_falling = ((falls >> axis) & 1) != 0;
+    beam.front[axis] = is_falling ? least : greatest;
+    beam.back[axis] = is_falling ? greatest : least;
     beam.inverse_low[axis] = rounded_down(std::fmax(-most, std::fmin(most, least_of(d, lanes, line.axis_inverse[axis]))));
     beam.inverse_high[axis] =
         rounded_up(std::fmax(-most, std::fmin(most, greatest_of(d, lanes, line.axis_inverse[axis]))));
@@ -61,14 +64,26 @@ HWY_INLINE void set_beam(D d, const LineLanes<D>& line, hn::Mask<D> lanes, unsig
   beam.falls = falls;
 }
 
-/// The boxes of a node that some line of the beam may meet, a bit each. What rounding moves by less than `widening`
+/// What a beam has met: nodes, first come, first served, so that the next one seldom waits for what this one's boxes
+/// say, and conjunctions.
+struct Met {
+  static constexpr std::size_t most_nodes = 256;
+
+  // Whole nodes are written at once.
+  std::uint32_t nodes[most_nodes + BoxNode::width];
+  std::uint32_t conjunctions[Cell::most_slots + 2 * BoxNode::width];
+  std::size_t node_count;
+  std::size_t conjunction_count;
+};
+
+/// Adds those of a node's boxes that some line of the beam may meet. What rounding moves by less than `widening`
 /// (box_tree.cpp), in space, does not matter: 2^-21 for a place and as much for its product, as nothing is farther than
 /// 8 from another.
 template <bool is_single>
-HWY_INLINE unsigned boxes_met(const BoxNode& node, const Beam& beam) {
+HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met) {
   const boxes::CappedTag<float, BoxNode::width> d;
+  const boxes::RebindToUnsigned<decltype(d)> ids;
   using V = boxes::Vec<decltype(d)>;
-  unsigned met = 0;
   for (std::size_t first = 0; first < BoxNode::width; first += boxes::Lanes(d)) {
     V enters = boxes::Set(d, beam.from);
     V leaves = boxes::Set(d, beam.to);
@@ -76,23 +91,40 @@ HWY_INLINE unsigned boxes_met(const BoxNode& node, const Beam& beam) {
       const bool falls = ((beam.falls >> axis) & 1) != 0;
       const V lower = boxes::Load(d, node.lower[axis] + first);
       const V upper = boxes::Load(d, node.upper[axis] + first);
-      const V to_front = boxes::Sub(falls ? upper : lower, boxes::Set(d, falls ? beam.near_low[axis] : beam.near_high[axis]));
-      const V to_back = boxes::Sub(falls ? lower : upper, boxes::Set(d, falls ? beam.near_high[axis] : beam.near_low[axis]));
+      const V front = boxes::Sub(falls ? upper : lower, boxes::Set(d, beam.front[axis]));
+      const V back = boxes::Sub(falls ? lower : upper, boxes::Set(d, beam.back[axis]));
       const V low = boxes::Set(d, beam.inverse_low[axis]);
-      const V high = boxes::Set(d, beam.inverse_high[axis]);
       if constexpr (is_single) {
-        enters = boxes::Max(enters, boxes::Mul(to_front, low));
-        leaves = boxes::Min(leaves, boxes::Mul(to_back, low));
+        enters = boxes::Max(enters, boxes::Mul(front, low));
+        leaves = boxes::Min(leaves, boxes::Mul(back, low));
       } else {
-        enters = boxes::Max(enters, boxes::Min(boxes::Mul(to_front, low), boxes::Mul(to_front, high)));
-        leaves = boxes::Min(leaves, boxes::Max(boxes::Mul(to_back, low), boxes::Mul(to_back, high)));
+        const V high = boxes::Set(d, beam.inverse_high[axis]);
+        enters = boxes::Max(enters, boxes::Min(boxes::Mul(front, low), boxes::Mul(front, high)));
+        leaves = boxes::Min(leaves, boxes::Max(boxes::Mul(back, low), boxes::Mul(back, high)));
       }
     }
-    std::uint8_t bits[8];
-    boxes::StoreMaskBits(d, boxes::Le(enters, leaves), bits);
-    met |= static_cast<unsigned>(bits[0]) << first;
+    // Which boxes are met, and what is in them, nobody could foresee: no branches.
+    const auto child = boxes::Load(ids, node.child + first);
+    const auto is_met = boxes::RebindMask(ids, boxes::Le(enters, leaves));
+    const auto is_node = boxes::Lt(child, boxes::Set(ids, BoxNode::conjunction));
+    met.node_count += boxes::CompressStore(child, boxes::And(is_met, is_node), ids, met.nodes + met.node_count);
+    met.conjunction_count +=
+        boxes::CompressStore(child, boxes::AndNot(is_node, is_met), ids, met.conjunctions + met.conjunction_count);
   }
-  return met;
+}
+
+/// Finds the conjunctions whose boxes the beam meets; false if there are too many. Their ids have
+/// BoxNode::conjunction in them.
+template <bool is_single>
+HWY_INLINE bool find_conjunctions(const BoxTree& tree, const Beam& beam, Met& met) {
+  met.nodes[0] = 0;
+  met.node_count = 1;
+  met.conjunction_count = 0;
+  for (std::size_t next = 0; next < met.node_count; ++next) {
+    add_boxes<is_single>(tree.nodes[met.nodes[next]], beam, met);
+    if (met.node_count > Met::most_nodes || met.conjunction_count > Cell::most_slots) return false;
+  }
+  return true;
 }
 
 /// One cell's worth of surfaces, and the tree's value over them.
@@ -102,8 +134,6 @@ struct Gathered {
     bool is_subtracted;
   };
 
-  std::uint32_t conjunctions[Cell::most_slots];
-  std::size_t conjunction_count;
   std::uint32_t slots[Cell::most_slots];  ///< of their surfaces
   /// Conjunctions of one surface that nothing else has: inside where the state differs from `flipped`.
   std::uint64_t united, subtracted, flipped;
@@ -121,35 +151,6 @@ struct Gathered {
     return at;
   }
 };
-
-constexpr std::size_t most_waiting = 192;
-
-/// The conjunctions whose boxes the beam meets; false if there are too many.
-template <bool is_single>
-HWY_INLINE bool gather(const BoxTree& tree, const Beam& beam, Gathered& gathered, PacketCounts& counts) {
-  std::uint32_t waiting[most_waiting];
-  std::size_t height = 0;
-  std::size_t count = 0;
-  std::uint32_t at = 0;
-  for (;;) {
-    ++counts.nodes;
-    const BoxNode& node = tree.nodes[at];
-    for (unsigned met = boxes_met<is_single>(node, beam); met != 0; met &= met - 1) {
-      const std::uint32_t child = node.child[static_cast<std::size_t>(__builtin_ctz(met))];
-      if ((child & BoxNode::conjunction) == 0) {
-        if (height == most_waiting) return false;
-        waiting[height++] = child;
-      } else {
-        if (count == Cell::most_slots) return false;
-        gathered.conjunctions[count++] = child & ~BoxNode::conjunction;
-      }
-    }
-    if (height == 0) break;
-    at = waiting[--height];
-  }
-  gathered.conjunction_count = count;
-  return true;
-}
 
 template <class D>
 HWY_INLINE hn::Mask<BitsOf<D>> gathered_value(D, const Gathered& gathered, hn::Vec<BitsOf<D>> state) {

@@ -13,9 +13,46 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// tau of the crossing at which the surface rises or falls, as filtered_plane, filtered_quadric and, for rays that come
-/// back to the surface they depart from, `own`, filtered_departure give it (line_filter.cpp). Precondition: that they
-/// are certain, which they are where lanes were.
+/// tau of the crossings of a quadric, as filtered_quadric gives them (line_filter.cpp). Precondition: that they are
+/// certain, which they are where lanes were.
+template <class D>
+struct Crossings {
+  hn::Vec<D> lower, upper;  ///< the only one twice, if there is but one
+  hn::Mask<D> has_two;      ///< the sign of a is certain
+  hn::Mask<D> opens;        ///< a is positive: so is the surface before and after both
+};
+
+template <class D>
+HWY_INLINE Crossings<D> crossings_of(D d, const QuadraticLanes<D>& f, const LineLanes<D>& line,
+                                     const Surface& surface) {
+  using V = hn::Vec<D>;
+  const V zero = hn::Zero(d);
+  const V root = hn::Sqrt(hn::Sub(hn::Mul(f.b, f.b), hn::Mul(f.a, f.c)));
+  const V sum = hn::IfThenElse(hn::Lt(f.b, zero), hn::Sub(root, f.b), hn::Neg(hn::Add(f.b, root)));
+  const V near = hn::Add(f.origin, hn::Div(f.c, sum));
+  const V far = hn::Add(f.origin, hn::Div(sum, f.a));
+  // Two crossings if the sign of a is certain; else the near one is the only one.
+  const V e = longest(line.direction);
+  const V a_error =
+      hn::Mul(hn::Mul(hn::Mul(hn::Set(d, 8 * 0x1p-53 * surface.second_degree), e), e), hn::Set(d, 1 + 0x1p-40));
+  const auto has_two = hn::Lt(hn::Add(a_error, a_error), hn::Abs(f.a));
+  return {hn::IfThenElse(has_two, hn::Min(near, far), near), hn::IfThenElse(has_two, hn::Max(near, far), near), has_two,
+          hn::Gt(f.a, zero)};
+}
+
+/// tau of the crossing at which a quadric rises or falls.
+template <class D>
+HWY_INLINE hn::Vec<D> crossing_tau(D d, const Crossings<D>& crossings, const Surface& surface, hn::Mask<D> rises,
+                                   hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
+  const auto second = hn::Not(hn::Xor(rises, crossings.opens));
+  is_second = hn::And(crossings.has_two, second);
+  // Of a surface that matters far away, too, exact arithmetic finds the other one and may number them otherwise.
+  is_open = surface.is_local ? hn::MaskFromVec(hn::Zero(d)) : hn::Not(crossings.has_two);
+  return hn::IfThenElse(second, crossings.upper, crossings.lower);
+}
+
+/// The same of any surface: filtered_plane and, for rays that come back to the surface they depart from, `own`,
+/// filtered_departure as well.
 template <class D>
 HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> own,
                                    hn::Mask<D> rises, hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
@@ -29,27 +66,13 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
     return hn::Div(hn::Neg(value), dot(normal, line.direction));
   }
   const QuadraticLanes<D> f = quadratic(d, line, surface);
-  const V zero = hn::Zero(d);
-  const V root = hn::Sqrt(hn::Sub(hn::Mul(f.b, f.b), hn::Mul(f.a, f.c)));
-  const V sum = hn::IfThenElse(hn::Lt(f.b, zero), hn::Sub(root, f.b), hn::Neg(hn::Add(f.b, root)));
-  const V near = hn::Add(f.origin, hn::Div(f.c, sum));
-  const V far = hn::Add(f.origin, hn::Div(sum, f.a));
-  // Two crossings if the sign of a is certain; else the near one is the only one.
-  const V e = longest(line.direction);
-  const V a_error =
-      hn::Mul(hn::Mul(hn::Mul(hn::Set(d, 8 * 0x1p-53 * surface.second_degree), e), e), hn::Set(d, 1 + 0x1p-40));
-  const auto has_two = hn::Lt(hn::Add(a_error, a_error), hn::Abs(f.a));
-  const auto second = hn::Not(hn::Xor(rises, hn::Gt(f.a, zero)));
-  const V of_two = hn::IfThenElse(second, hn::Max(near, far), hn::Min(near, far));
-  is_second = hn::And(has_two, second);
-  // Of a surface that matters far away, too, exact arithmetic finds the other one and may number them otherwise.
-  is_open = surface.is_local ? hn::MaskFromVec(zero) : hn::Not(has_two);
-  const V tau = hn::IfThenElse(has_two, of_two, near);
+  const Crossings<D> crossings = crossings_of(d, f, line, surface);
+  const V tau = crossing_tau(d, crossings, surface, rises, is_second, is_open);
   if (hn::AllFalse(d, own)) return tau;
   const V middle = hn::Sub(f.origin, hn::Div(f.b, f.a));
   const V other = hn::Add(hn::Add(middle, middle), line.shift);
   is_second = hn::AndNot(own, is_second);
-  is_open = hn::Or(is_open, hn::AndNot(has_two, own));
+  is_open = hn::Or(is_open, hn::AndNot(crossings.has_two, own));
   return hn::IfThenElse(own, other, tau);
 }
 

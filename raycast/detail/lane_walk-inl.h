@@ -104,7 +104,9 @@ class Walk {
     const D d;
     Beam beam;
     set_beam(d, line_, lanes, signs, from, to, beam);
-    if (!gather<hn::is_single<D>>(cells_.boxes, beam, gathered_, counts_)) return false;
+    const bool are_few = find_conjunctions<hn::is_single<D>>(cells_.boxes, beam, met_);
+    counts_.nodes += met_.node_count;
+    if (!are_few) return false;
     Cell cell;
     cell.slack = cells_.boxes.slack;
     cell.may_have_twins = cells_.boxes.may_have_twins;
@@ -113,7 +115,7 @@ class Walk {
     ++counts_.cells;
     const M starting = hn::And(lanes, hn::Le(from, line_.start));
     begun_ = hn::Or(begun_, lanes);
-    if (cell.slot_count != 0) look_into(cell, from, to, lanes, starting);
+    if (cell.slot_count != 0 || gathered_.part_count != 0) look_into(cell, from, to, lanes, starting);
     return true;
   }
 
@@ -125,43 +127,108 @@ class Walk {
     clear_events(d, line_, cell.slack, events_);
     gathered_.begin();
     const V margin = hn::Set(d, 4 * greatest_slack);
-    const V earliest = hn::Sub(from, margin);
-    const V latest = hn::Add(to, margin);
+    const Stretch stretch{hn::Sub(from, margin), hn::Add(to, margin), lanes};
     std::size_t count = 0;
-    for (std::size_t k = 0; k < gathered_.conjunction_count; ++k) {
-      const Conjunction& conjunction = tree.conjunctions[gathered_.conjunctions[k]];
-      const BoxedSide* const sides = tree.sides.data() + conjunction.first;
-      counts_.surface_tests += conjunction.count;
+    for (std::size_t k = 0; k < met_.conjunction_count; ++k) {
+      const Conjunction& conjunction = tree.conjunctions[met_.conjunctions[k] - BoxNode::conjunction];
       if (count + conjunction.count > Cell::most_slots) return false;
-      if (conjunction.count == 1 && !sides->is_shared) {
-        add_events(d, scene_, line_, cells_.axis_bounds, cells_.slots[sides->slot], departures_, count, events_);
-        const M met = hn::And(hn::Le(events_.first[count], latest), hn::Ge(events_.second[count], earliest));
-        const std::uint64_t bit = std::uint64_t{1} << count;
-        if (hn::AllFalse(d, hn::And(lanes, met))) {
-          events_.before = hn::AndNot(hn::Set(Bits(), bit), events_.before);
-          continue;
-        }
-        gathered_.slots[count++] = sides->slot;
-        (conjunction.is_subtracted ? gathered_.subtracted : gathered_.united) |= bit;
-        if (!sides->wants_positive) gathered_.flipped |= bit;
-        continue;
+      if (conjunction.count == 1) {
+        count = add_simple(tree, conjunction, stretch, count);
+      } else {
+        count = add_conjunction(tree, conjunction, stretch, count);
       }
-      Gathered::Part part{0, 0, conjunction.is_subtracted};
-      for (std::size_t i = 0; i < conjunction.count; ++i) {
-        std::size_t at = sides[i].is_shared ? gathered_.place_of(sides[i].slot, count) : count;
-        if (at == count) {
-          const Slot& slot = cells_.slots[sides[i].slot];
-          add_events(d, scene_, line_, cells_.axis_bounds, slot, departures_, count, events_);
-          if (is_plane(slot.kind)) events_.second[count] = hn::Inf(d);
-          gathered_.slots[count++] = sides[i].slot;
-        }
-        part.mask |= std::uint64_t{1} << at;
-        if (sides[i].wants_positive) part.want |= std::uint64_t{1} << at;
-      }
-      gathered_.parts[gathered_.part_count++] = part;
     }
     cell.slot_count = static_cast<std::uint8_t>(count);
     return true;
+  }
+
+  /// The part of their lines that lanes look at.
+  struct Stretch {
+    V from, to;
+    M lanes;
+  };
+
+  /// Computes a surface's events, as the next. Whether any of them lies in the stretch; if not, `positive` becomes the
+  /// lanes in which it is positive there.
+  HWY_INLINE bool meets(const Slot& slot, const Stretch& stretch, std::size_t at, M& positive) {
+    const D d;
+    const Bits bits;
+    ++counts_.surface_tests;
+    add_events(d, scene_, line_, cells_.axis_bounds, slot, departures_, at, events_);
+    if (is_plane(slot.kind)) events_.second[at] = hn::Inf(d);
+    const V first = events_.first[at];
+    const V second = events_.second[at];
+    const auto within = [&](V event) { return hn::And(hn::Ge(event, stretch.from), hn::Le(event, stretch.to)); };
+    if (!hn::AllFalse(d, hn::And(stretch.lanes, hn::Or(within(first), within(second))))) return true;
+    const U bit = hn::Set(bits, std::uint64_t{1} << at);
+    const M before = hn::RebindMask(d, hn::Ne(hn::And(events_.before, bit), hn::Zero(bits)));
+    positive = hn::Xor(before, hn::Xor(hn::Lt(first, stretch.from), hn::Lt(second, stretch.from)));
+    return false;
+  }
+
+  /// Forgets events that were computed from some place on.
+  HWY_INLINE void forget_events(std::size_t from, std::size_t to) {
+    const std::uint64_t kept = ~((std::uint64_t{1} << to) - (std::uint64_t{1} << from));
+    events_.before = hn::And(events_.before, hn::Set(Bits(), kept));
+  }
+
+  /// A conjunction of one surface. Returns how many slots there are then.
+  HWY_INLINE std::size_t add_simple(const BoxTree& tree, const Conjunction& conjunction, const Stretch& stretch,
+                                    std::size_t count) {
+    const BoxedSide& side = tree.sides[conjunction.first];
+    std::size_t at = side.is_shared ? gathered_.place_of(side.slot, count) : count;
+    const std::uint64_t bit = std::uint64_t{1} << at;
+    if (at == count) {
+      M positive;
+      if (!meets(cells_.slots[side.slot], stretch, at, positive)) {
+        const M holds = side.wants_positive ? positive : hn::Not(positive);
+        if (hn::AllFalse(D(), hn::And(stretch.lanes, holds))) {
+          forget_events(at, at + 1);
+          return count;
+        }
+      }
+      gathered_.slots[count++] = side.slot;
+    }
+    if (side.is_shared) {
+      gathered_.parts[gathered_.part_count++] = {bit, side.wants_positive ? bit : 0, conjunction.is_subtracted};
+      return count;
+    }
+    (conjunction.is_subtracted ? gathered_.subtracted : gathered_.united) |= bit;
+    if (!side.wants_positive) gathered_.flipped |= bit;
+    return count;
+  }
+
+  /// One of several surfaces: those matter that the lanes cross on the stretch, unless they are on the wrong side of
+  /// another all along.
+  HWY_INLINE std::size_t add_conjunction(const BoxTree& tree, const Conjunction& conjunction, const Stretch& stretch,
+                                         std::size_t count) {
+    const D d;
+    const std::size_t before = count;
+    Gathered::Part part{0, 0, conjunction.is_subtracted};
+    for (std::size_t i = 0; i < conjunction.count; ++i) {
+      const BoxedSide& side = tree.sides[conjunction.first + i];
+      const std::size_t at = side.is_shared ? gathered_.place_of(side.slot, count) : count;
+      if (at == count) {
+        M positive;
+        if (!meets(cells_.slots[side.slot], stretch, at, positive)) {
+          const M holds = side.wants_positive ? positive : hn::Not(positive);
+          if (hn::AllFalse(d, hn::And(stretch.lanes, holds))) {
+            forget_events(before, at + 1);
+            return before;
+          }
+          if (hn::AllFalse(d, hn::AndNot(holds, stretch.lanes))) {
+            forget_events(at, at + 1);
+            continue;
+          }
+        }
+        gathered_.slots[count++] = side.slot;
+      }
+      const std::uint64_t bit = std::uint64_t{1} << at;
+      part.mask |= bit;
+      if (side.wants_positive) part.want |= bit;
+    }
+    gathered_.parts[gathered_.part_count++] = part;
+    return count;
   }
 
   HWY_INLINE std::uint32_t slot_of(const Cell& cell, std::size_t i) const {
@@ -277,6 +344,7 @@ class Walk {
   /// What the lanes meet in a cell whose events are known.
   HWY_INLINE void look_into(const Cell& cell, V from, V to, M active, M starting) {
     const D d;
+    known_crossings_ = 0;
     if constexpr (certified) {
       flag(hn::And(active, events_.flagged));
       if (cell.may_have_twins) flag(hn::And(active, twins(d, events_, cell, from, to)));
@@ -397,6 +465,18 @@ class Walk {
     return hn::Load(bits, slots);
   }
 
+  /// crossing_tau: both crossings of a quadric are computed at once, as both are likely to be wanted.
+  HWY_INLINE V end_tau(const Cell& cell, const Surface& surface, std::uint64_t i, M own, M rises, M& second, M& is_open) {
+    const D d;
+    if (cell.step_count != gathered_cell || surface.kind == SurfaceKind::plane || !hn::AllFalse(d, own))
+      return crossing_tau(d, line_, surface, own, rises, second, is_open);
+    if (((known_crossings_ >> i) & 1) == 0) {
+      crossings_[i] = crossings_of(d, quadratic(d, line_, surface), line_, surface);
+      known_crossings_ |= std::uint64_t{1} << i;
+    }
+    return crossing_tau(d, crossings_[i], surface, rises, second, is_open);
+  }
+
   void append(const Cell& cell, M changes, U index, M rises, M enters) {
     const D d;
     const Bits bits;
@@ -415,7 +495,7 @@ class Walk {
       M second, is_open;
       const Surface& surface = scene_.surfaces()[id];
       const M own_surface = own_lanes(d, departures_, id);
-      const V tau = crossing_tau(d, line_, surface, own_surface, rises, second, is_open);
+      const V tau = end_tau(cell, surface, i, own_surface, rises, second, is_open);
       flag(hn::And(same, is_open));
       V own = hn::Mul(hn::Add(line_.shift, tau), line_.unit);
       if (rounds_) {
@@ -452,6 +532,9 @@ class Walk {
   EndLog<D>* ends_;
   PacketCounts& counts_;
   Events<D> events_;
+  Crossings<D> crossings_[Cell::most_slots];  // of the surfaces of the cell that are known
+  std::uint64_t known_crossings_ = 0;
+  Met met_;
   Gathered gathered_;
   M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_, unrounded_, covered_lanes_;
   V covered_;
