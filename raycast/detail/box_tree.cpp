@@ -136,8 +136,9 @@ bool Conjunctions::add_leaf(std::span<const Term> leaf, bool joins, bool is_subt
   return true;
 }
 
-// Gives each surface of the conjunctions its slot.
-void add_slots(const CellGround& ground, const Conjunctions& read, CellData& data) {
+// Moves the conjunctions over in the given order, and gives each of their surfaces its slot.
+void add_conjunctions(const CellGround& ground, const Conjunctions& read, const BoxTree& from,
+                      std::span<const Item> order, CellData& data) {
   constexpr std::uint32_t none = 0xffffffffu;
   const Scene& scene = ground.scene;
   const auto& owners = read.owners();
@@ -145,26 +146,32 @@ void add_slots(const CellGround& ground, const Conjunctions& read, CellData& dat
   const bool one_region = std::all_of(owners.begin(), owners.end(), [&](const auto& owner) {
     return scene.leaf(owner.second).region == scene.leaf(owners.front().second).region;
   });
-  std::vector<std::uint32_t> slot_of(scene.surfaces().size(), none);
-  std::vector<std::uint32_t> first_side(scene.surfaces().size(), none);
-  for (std::uint32_t side = 0; side < owners.size(); ++side) {
-    const auto [surface, leaf] = owners[side];
+  std::vector<std::uint32_t> first_side(scene.surfaces().size(), none);  // that has the surface
+  const auto add_side = [&](std::uint32_t old) {
+    const auto [surface, leaf] = owners[old];
     const LookId look = ground.look_of(scene.leaf(leaf), one_region);
-    std::uint32_t& slot = slot_of[surface.index()];
-    if (slot == none) {
-      slot = static_cast<std::uint32_t>(data.slots.size());
-      first_side[surface.index()] = side;
+    BoxedSide side = from.sides[old];
+    std::uint32_t& first = first_side[surface.index()];
+    if (first == none) {
+      first = static_cast<std::uint32_t>(tree.sides.size());
+      side.slot = static_cast<std::uint32_t>(data.slots.size());
       const LaneSurface& shape = ground.surfaces[surface.index()];
       data.slots.emplace_back(shape, surface, leaf, look);
       if (is_round(shape.kind)) tree.slack = round_slack;
       if (may_have_twins(shape)) tree.may_have_twins = true;
     } else {
-      Slot& shared = data.slots[slot];
+      side.slot = tree.sides[first].slot;
+      side.is_shared = tree.sides[first].is_shared = true;
+      Slot& shared = data.slots[side.slot];
       if (shared.leaf != leaf.index()) shared.leaf = LeafId().index();
       if (shared.look != look.index()) shared.look = LookId().index();
-      tree.sides[side].is_shared = tree.sides[first_side[surface.index()]].is_shared = true;
     }
-    tree.sides[side].slot = slot;
+    tree.sides.push_back(side);
+  };
+  for (const Item& item : order) {
+    const Conjunction& old = from.conjunctions[item.index];
+    tree.conjunctions.push_back({static_cast<std::uint32_t>(tree.sides.size()), old.count, old.is_subtracted});
+    for (std::uint32_t side = 0; side < old.count; ++side) add_side(old.first + side);
   }
 }
 
@@ -174,6 +181,8 @@ class Hierarchy {
   Hierarchy(std::vector<Item> items, std::vector<BoxNode>& nodes) : items_(std::move(items)), nodes_(nodes) {}
 
   void build();
+  // What the children count: in this order conjunctions that lie next to each other are near in memory.
+  const std::vector<Item>& order() const { return items_; }
 
  private:
   struct Range {
@@ -290,7 +299,7 @@ void Hierarchy::build() {
       const FloatBox& box = k < count ? parts[k].box : nothing;
       std::uint32_t child = 0;
       if (k < count && parts[k].size() == 1) {
-        child = BoxNode::conjunction | items_[parts[k].begin].index;
+        child = BoxNode::conjunction | static_cast<std::uint32_t>(parts[k].begin);
       } else if (k < count) {
         child = static_cast<std::uint32_t>(nodes_.size());
         nodes_.emplace_back();
@@ -333,9 +342,9 @@ void add_box_tree(const CellGround& ground, NodeId node, CellData& data) {
     expected += static_cast<double>(tree.conjunctions[i].count) * area(read.boxes()[i]) / area(data.box);
   }
   if (items.empty() || expected > most_expected) return;
-  data.boxes = std::move(tree);
-  add_slots(ground, read, data);
-  Hierarchy(std::move(items), data.boxes.nodes).build();
+  Hierarchy hierarchy(std::move(items), data.boxes.nodes);
+  hierarchy.build();
+  add_conjunctions(ground, read, tree, hierarchy.order(), data);
 }
 
 }  // namespace csgcast::detail

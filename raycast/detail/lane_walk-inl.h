@@ -148,9 +148,14 @@ class Walk {
     M lanes;
   };
 
-  /// Computes a surface's events, as the next. Whether any of them lies in the stretch; if not, `positive` becomes the
-  /// lanes in which it is positive there.
-  HWY_INLINE bool meets(const Slot& slot, const Stretch& stretch, std::size_t at, M& positive) {
+  /// What a surface does on the stretch.
+  struct Course {
+    M meets;     ///< it is crossed
+    M positive;  ///< at the start of the stretch
+  };
+
+  /// Computes a surface's events, as those at some place.
+  HWY_INLINE Course course_of(const Slot& slot, const Stretch& stretch, std::size_t at) {
     const D d;
     const Bits bits;
     ++counts_.surface_tests;
@@ -159,11 +164,10 @@ class Walk {
     const V first = events_.first[at];
     const V second = events_.second[at];
     const auto within = [&](V event) { return hn::And(hn::Ge(event, stretch.from), hn::Le(event, stretch.to)); };
-    if (!hn::AllFalse(d, hn::And(stretch.lanes, hn::Or(within(first), within(second))))) return true;
     const U bit = hn::Set(bits, std::uint64_t{1} << at);
     const M before = hn::RebindMask(d, hn::Ne(hn::And(events_.before, bit), hn::Zero(bits)));
-    positive = hn::Xor(before, hn::Xor(hn::Lt(first, stretch.from), hn::Lt(second, stretch.from)));
-    return false;
+    return {hn::Or(within(first), within(second)),
+            hn::Xor(before, hn::Xor(hn::Lt(first, stretch.from), hn::Lt(second, stretch.from)))};
   }
 
   /// Forgets events that were computed from some place on.
@@ -176,26 +180,22 @@ class Walk {
   HWY_INLINE std::size_t add_simple(const BoxTree& tree, const Conjunction& conjunction, const Stretch& stretch,
                                     std::size_t count) {
     const BoxedSide& side = tree.sides[conjunction.first];
-    std::size_t at = side.is_shared ? gathered_.place_of(side.slot, count) : count;
-    const std::uint64_t bit = std::uint64_t{1} << at;
-    if (at == count) {
-      M positive;
-      if (!meets(cells_.slots[side.slot], stretch, at, positive)) {
-        const M holds = side.wants_positive ? positive : hn::Not(positive);
-        if (hn::AllFalse(D(), hn::And(stretch.lanes, holds))) {
-          forget_events(at, at + 1);
-          return count;
-        }
-      }
-      gathered_.slots[count++] = side.slot;
-    }
-    if (side.is_shared) {
-      gathered_.parts[gathered_.part_count++] = {bit, side.wants_positive ? bit : 0, conjunction.is_subtracted};
+    if (side.is_shared) return add_conjunction(tree, conjunction, stretch, count);
+    const Course course = course_of(cells_.slots[side.slot], stretch, count);
+    const M holds = side.wants_positive ? course.positive : hn::Not(course.positive);
+    // Whether some lane meets it is hard to foresee: packets go on without a branch.
+    const bool matters = !hn::AllFalse(D(), hn::And(stretch.lanes, hn::Or(course.meets, holds)));
+    if (hn::is_single<D> && !matters) {
+      forget_events(count, count + 1);
       return count;
     }
-    (conjunction.is_subtracted ? gathered_.subtracted : gathered_.united) |= bit;
-    if (!side.wants_positive) gathered_.flipped |= bit;
-    return count;
+    const std::uint64_t bit = std::uint64_t{matters} << count;
+    forget_events(count + matters, count + 1);
+    gathered_.slots[count] = side.slot;
+    gathered_.united |= conjunction.is_subtracted ? 0 : bit;
+    gathered_.subtracted |= conjunction.is_subtracted ? bit : 0;
+    gathered_.flipped |= side.wants_positive ? 0 : bit;
+    return count + matters;
   }
 
   /// One of several surfaces: those matter that the lanes cross on the stretch, unless they are on the wrong side of
@@ -209,9 +209,9 @@ class Walk {
       const BoxedSide& side = tree.sides[conjunction.first + i];
       const std::size_t at = side.is_shared ? gathered_.place_of(side.slot, count) : count;
       if (at == count) {
-        M positive;
-        if (!meets(cells_.slots[side.slot], stretch, at, positive)) {
-          const M holds = side.wants_positive ? positive : hn::Not(positive);
+        const Course course = course_of(cells_.slots[side.slot], stretch, at);
+        if (hn::AllFalse(d, hn::And(stretch.lanes, course.meets))) {
+          const M holds = side.wants_positive ? course.positive : hn::Not(course.positive);
           if (hn::AllFalse(d, hn::And(stretch.lanes, holds))) {
             forget_events(before, at + 1);
             return before;
