@@ -11,10 +11,18 @@
 namespace csgcast::detail {
 namespace {
 
-// With fewer conjunctions cells are better; with more surfaces along a line (Cauchy: of the lines through a box those
-// that meet a convex part are as many as their areas say) sweeping them in one is.
-constexpr std::size_t fewest_conjunctions = 32;
-constexpr double most_expected = 24;
+// With fewer conjunctions cells are as good.
+constexpr std::size_t fewest_conjunctions = 12;
+// What a line costs, in the units of CellData::cost: measured on unions of balls and of boxes, sparse and crowded, and
+// on plates with holes.
+constexpr double cost_of_node = 1.5;
+constexpr double cost_of_axis_plane = 1;
+constexpr double cost_of_plane = 5;
+constexpr double cost_of_round = 4;
+constexpr double cost_of_quadric = 8;
+constexpr double cost_of_event = 1;
+// Boxes must be cheaper by so much.
+constexpr double least_gain = 1.1;
 
 // Boxes are so much wider that neither their rounding nor that of rays in single precision loses any line.
 constexpr double widening = 0x1p-18;
@@ -42,6 +50,13 @@ constexpr FloatBox nothing{{1000, 1000, 1000}, {-1000, -1000, -1000}};
 double area(const CellBox& box) {
   const Vector s = box.upper - box.lower;
   return s.x * s.y + s.y * s.z + s.z * s.x;
+}
+
+double cost_of_test(LaneSurface::Kind kind) {
+  return kind < LaneSurface::Kind::plane ? cost_of_axis_plane
+         : is_plane(kind)                ? cost_of_plane
+         : is_round(kind)                ? cost_of_round
+                                         : cost_of_quadric;
 }
 
 // A conjunction while the hierarchy is made.
@@ -325,6 +340,33 @@ std::optional<FloatBox> widened(const CellBox& box) {
   return result;
 }
 
+// Cauchy: of the lines through a convex body those that meet one in it are as many as their areas say.
+double cost_of_tests(const CellGround& ground, const Conjunctions& read, const BoxTree& tree, const CellBox& everything,
+                     std::span<const Item> items) {
+  double cost = 0;
+  for (const Item& item : items) {
+    const Conjunction& conjunction = tree.conjunctions[item.index];
+    double own = conjunction.count > 1 ? 4 * cost_of_event : 2 * cost_of_event;
+    for (std::uint32_t side = 0; side < conjunction.count; ++side)
+      own += cost_of_test(ground.surfaces[read.owners()[conjunction.first + side].first.index()].kind);
+    cost += own * area(read.boxes()[item.index]) / area(everything);
+  }
+  return cost;
+}
+
+double cost_of_nodes(std::span<const BoxNode> nodes, const CellBox& everything) {
+  double met = 1;
+  for (const BoxNode& node : nodes) {
+    for (std::size_t k = 0; k < BoxNode::width; ++k) {
+      if (node.child[k] == 0 || (node.child[k] & BoxNode::conjunction) != 0) continue;
+      const FloatBox box{{node.lower[0][k], node.lower[1][k], node.lower[2][k]},
+                         {node.upper[0][k], node.upper[1][k], node.upper[2][k]}};
+      met += box.area() / area(everything);
+    }
+  }
+  return cost_of_node * met;
+}
+
 }  // namespace
 
 void add_box_tree(const CellGround& ground, NodeId node, CellData& data) {
@@ -334,16 +376,20 @@ void add_box_tree(const CellGround& ground, NodeId node, CellData& data) {
   const Formula whole = formula_of(ground.scene, node);
   if (!read.read(whole, tree) || tree.conjunctions.size() < fewest_conjunctions) return;
   std::vector<Item> items;
-  double expected = 0;
   for (std::size_t i = 0; i < tree.conjunctions.size(); ++i) {
     const std::optional<FloatBox> box = widened(read.boxes()[i]);
-    if (!box) continue;
-    items.push_back({*box, static_cast<std::uint32_t>(i)});
-    expected += static_cast<double>(tree.conjunctions[i].count) * area(read.boxes()[i]) / area(data.box);
+    if (box) items.push_back({*box, static_cast<std::uint32_t>(i)});
   }
-  if (items.empty() || expected > most_expected) return;
-  Hierarchy hierarchy(std::move(items), data.boxes.nodes);
+  if (items.empty()) return;
+  const double most = data.cost / least_gain;
+  double cost = cost_of_tests(ground, read, tree, data.box, items);
+  if (cost > most) return;
+  std::vector<BoxNode> nodes;
+  Hierarchy hierarchy(std::move(items), nodes);
   hierarchy.build();
+  cost += cost_of_nodes(nodes, data.box);
+  if (cost > most) return;
+  data.boxes.nodes = std::move(nodes);
   add_conjunctions(ground, read, tree, hierarchy.order(), data);
 }
 

@@ -91,7 +91,7 @@ CellData CellBuilder::build(NodeId node) {
   } else {
     Formula formula;
     fold(whole, data_.box, formula);
-    build(formula, data_.box, 0, most_hopes);
+    data_.cost = build(formula, data_.box, 0, most_hopes);
   }
   return std::move(data_);
 }

@@ -132,6 +132,7 @@ struct CellData {
   std::vector<Cell> cells;
   std::vector<Slot> slots;
   std::vector<Step> steps;
+  double cost = 0;  ///< of a line through all its cells, in tests of a surface, as far as is expected; bounded ones
   BoxTree boxes;
   std::array<bool, 3> has_cylinders{};  ///< along each axis of the frame
   bool has_axis_planes = false;         ///< square to an axis
