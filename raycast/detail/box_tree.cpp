@@ -17,7 +17,7 @@ constexpr std::size_t fewest_conjunctions = 12;
 // on plates with holes.
 constexpr double cost_of_node = 1.5;
 constexpr double cost_of_axis_plane = 1;
-constexpr double cost_of_plane = 5;
+constexpr double cost_of_plane = 6;
 constexpr double cost_of_round = 4;
 constexpr double cost_of_quadric = 8;
 constexpr double cost_of_event = 1;

@@ -41,15 +41,12 @@ hn::Mask<BitsOf<D>> value_by_steps(D, const CellData& cells, const Cell& cell, h
   return stack[0];
 }
 
-/// What a cell comes to in a state.
+/// The value in a state, by the cell's table.
 template <class D>
-HWY_INLINE hn::Mask<D> cell_value(D d, const CellData& cells, const Cell& cell, hn::Vec<BitsOf<D>> state) {
+HWY_INLINE hn::Mask<D> value_by_table(D d, const Cell& cell, hn::Vec<BitsOf<D>> state) {
   const BitsOf<D> bits;
-  if (cell.step_count == 0) {
-    const auto word = hn::Shr(hn::Set(bits, cell.table), state);
-    return hn::RebindMask(d, hn::Ne(hn::And(word, hn::Set(bits, 1)), hn::Zero(bits)));
-  }
-  return hn::RebindMask(d, value_by_steps(d, cells, cell, state));
+  const auto word = hn::Shr(hn::Set(bits, cell.table), state);
+  return hn::RebindMask(d, hn::Ne(hn::And(word, hn::Set(bits, 1)), hn::Zero(bits)));
 }
 
 /// Which surfaces are positive after the events up to a place.

@@ -232,14 +232,18 @@ class Walk {
   }
 
   HWY_INLINE std::uint32_t slot_of(const Cell& cell, std::size_t i) const {
-    return cell.step_count == gathered_cell ? gathered_.slots[i] : cell.first_slot + static_cast<std::uint32_t>(i);
+    return is_gathered(cell) ? gathered_.slots[i] : cell.first_slot + static_cast<std::uint32_t>(i);
   }
 
   HWY_INLINE U state_at(const Cell& cell, V at) const { return event_state(D(), events_, cell, at); }
   HWY_INLINE M value_of(const Cell& cell, U state) const {
-    if (cell.step_count == gathered_cell) return hn::RebindMask(D(), gathered_value(D(), gathered_, state));
-    return cell_value(D(), cells_, cell, state);
+    return cell.step_count == 0 ? value_by_table(D(), cell, state) : value_of_large(cell, state);
   }
+  HWY_NOINLINE M value_of_large(const Cell& cell, U state) const {
+    const auto value = is_gathered(cell) ? gathered_value(D(), gathered_, state) : value_by_steps(D(), cells_, cell, state);
+    return hn::RebindMask(D(), value);
+  }
+  static HWY_INLINE bool is_gathered(const Cell& cell) { return uses_boxes && cell.step_count == gathered_cell; }
 
   HWY_INLINE void clip(V& from, V& to) const {
     const D d;
@@ -455,7 +459,7 @@ class Walk {
 
   HWY_INLINE U slots_of(const Cell& cell, U index) const {
     const Bits bits;
-    if (cell.step_count != gathered_cell) return hn::Add(hn::Set(bits, cell.first_slot), index);
+    if (!is_gathered(cell)) return hn::Add(hn::Set(bits, cell.first_slot), index);
     HWY_ALIGN std::uint64_t slots[16];
     hn::Store(index, bits, slots);
     for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane) {
@@ -468,7 +472,7 @@ class Walk {
   /// crossing_tau: both crossings of a quadric are computed at once, as both are likely to be wanted.
   HWY_INLINE V end_tau(const Cell& cell, const Surface& surface, std::uint64_t i, M own, M rises, M& second, M& is_open) {
     const D d;
-    if (cell.step_count != gathered_cell || surface.kind == SurfaceKind::plane || !hn::AllFalse(d, own))
+    if (!is_gathered(cell) || surface.kind == SurfaceKind::plane || !hn::AllFalse(d, own))
       return crossing_tau(d, line_, surface, own, rises, second, is_open);
     if (((known_crossings_ >> i) & 1) == 0) {
       crossings_[i] = crossings_of(d, quadratic(d, line_, surface), line_, surface);
