@@ -115,7 +115,7 @@ class Walk {
     ++counts_.cells;
     const M starting = hn::And(lanes, hn::Le(from, line_.start));
     begun_ = hn::Or(begun_, lanes);
-    if (cell.slot_count != 0 || gathered_.part_count != 0) look_into(cell, from, to, lanes, starting);
+    if (met_.conjunction_count != 0) look_into(cell, from, to, lanes, starting);
     return true;
   }
 
