@@ -75,8 +75,13 @@ class Conjunctions {
   // False if the formula is not like that.
   bool read(const Formula& formula, BoxTree& tree);
   const std::vector<CellBox>& boxes() const { return boxes_; }
-  // By side: its surface and leaf.
-  const std::vector<std::pair<SurfaceId, LeafId>>& owners() const { return owners_; }
+  // By side.
+  struct Owner {
+    SurfaceId surface;
+    LeafId leaf;
+    bool is_one = true;  // no other leaf of the conjunction has the surface
+  };
+  const std::vector<Owner>& owners() const { return owners_; }
 
  private:
   struct Open {
@@ -92,7 +97,7 @@ class Conjunctions {
   const CellGround& ground_;
   CellBox everything_;
   std::vector<CellBox> boxes_;
-  std::vector<std::pair<SurfaceId, LeafId>> owners_;
+  std::vector<Owner> owners_;
 };
 
 bool Conjunctions::read(const Formula& formula, BoxTree& tree) {
@@ -144,8 +149,17 @@ bool Conjunctions::add_leaf(std::span<const Term> leaf, bool joins, bool is_subt
   if (tree.conjunctions.back().count + leaf.size() - 1 > Cell::most_slots) return false;
   for (const Term& side : leaf.subspan(1)) {
     if (ground_.surfaces[side.surface().index()].kind == LaneSurface::Kind::undecided) return false;
+    const auto begin = owners_.begin() + tree.conjunctions.back().first;
+    const auto same = std::find_if(begin, owners_.end(), [&](const auto& own) { return own.surface == side.surface(); });
+    if (same != owners_.end()) {
+      // Of both sides there is nothing, but for a face without a thickness.
+      const auto at = static_cast<std::size_t>(same - owners_.begin());
+      if (tree.sides[at].wants_positive != side.wants_positive()) boxes_.back().upper.x = -HUGE_VAL;
+      same->is_one = same->is_one && same->leaf == id;
+      continue;
+    }
     tree.sides.push_back({0, side.wants_positive(), false});
-    owners_.emplace_back(side.surface(), id);
+    owners_.push_back({side.surface(), id});
     ++tree.conjunctions.back().count;
   }
   return true;
@@ -159,12 +173,13 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& read, const 
   const auto& owners = read.owners();
   BoxTree& tree = data.boxes;
   const bool one_region = std::all_of(owners.begin(), owners.end(), [&](const auto& owner) {
-    return scene.leaf(owner.second).region == scene.leaf(owners.front().second).region;
+    return scene.leaf(owner.leaf).region == scene.leaf(owners.front().leaf).region;
   });
   std::vector<std::uint32_t> first_side(scene.surfaces().size(), none);  // that has the surface
   const auto add_side = [&](std::uint32_t old) {
-    const auto [surface, leaf] = owners[old];
-    const LookId look = ground.look_of(scene.leaf(leaf), one_region);
+    const SurfaceId surface = owners[old].surface;
+    const LeafId leaf = owners[old].is_one ? owners[old].leaf : LeafId();
+    const LookId look = leaf.valid() ? ground.look_of(scene.leaf(leaf), one_region) : LookId();
     BoxedSide side = from.sides[old];
     std::uint32_t& first = first_side[surface.index()];
     if (first == none) {
@@ -348,7 +363,7 @@ double cost_of_tests(const CellGround& ground, const Conjunctions& read, const B
     const Conjunction& conjunction = tree.conjunctions[item.index];
     double own = conjunction.count > 1 ? 4 * cost_of_event : 2 * cost_of_event;
     for (std::uint32_t side = 0; side < conjunction.count; ++side)
-      own += cost_of_test(ground.surfaces[read.owners()[conjunction.first + side].first.index()].kind);
+      own += cost_of_test(ground.surfaces[read.owners()[conjunction.first + side].surface.index()].kind);
     cost += own * area(read.boxes()[item.index]) / area(everything);
   }
   return cost;
