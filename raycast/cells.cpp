@@ -39,6 +39,7 @@ Cells::Counts Cells::counts() const {
   }
   const auto bytes_of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
   const detail::BoxTree& boxes = data_->boxes;
+  counts.boxed = boxes.conjunctions.size();
   counts.bytes = bytes_of(data_->nodes) + bytes_of(data_->cells) + bytes_of(data_->slots) + bytes_of(data_->steps) +
                  bytes_of(boxes.nodes) + bytes_of(boxes.conjunctions) + bytes_of(boxes.sides);
   return counts;

@@ -32,6 +32,7 @@ class Cells {
     std::size_t surfaces = 0;   ///< summed over these cells
     std::size_t large = 0;      ///< cells with more surfaces than a table of truth values takes
     std::size_t undecided = 0;  ///< cells through which every ray is left to the caster
+    std::size_t boxed = 0;      ///< leaves, or intersections of some, in a hierarchy of boxes as well; 0: there is none
     std::size_t bytes = 0;
   };
   Counts counts() const;

@@ -124,7 +124,7 @@ bool Conjunctions::read(const Formula& formula, BoxTree& tree) {
       i += term.size;
       continue;
     }
-    const bool fits = term.op == Term::Op::unite ? !in_intersection
+    const bool fits = term.op == Term::Op::unite      ? !in_intersection
                       : term.op == Term::Op::subtract ? own.is_top
                                                       : term.op == Term::Op::intersect;
     if (!fits) return false;
@@ -150,7 +150,8 @@ bool Conjunctions::add_leaf(std::span<const Term> leaf, bool joins, bool is_subt
   for (const Term& side : leaf.subspan(1)) {
     if (ground_.surfaces[side.surface().index()].kind == LaneSurface::Kind::undecided) return false;
     const auto begin = owners_.begin() + tree.conjunctions.back().first;
-    const auto same = std::find_if(begin, owners_.end(), [&](const auto& own) { return own.surface == side.surface(); });
+    const auto same =
+        std::find_if(begin, owners_.end(), [&](const auto& own) { return own.surface == side.surface(); });
     if (same != owners_.end()) {
       // Of both sides there is nothing, but for a face without a thickness.
       const auto at = static_cast<std::size_t>(same - owners_.begin());

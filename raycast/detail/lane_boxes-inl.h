@@ -55,7 +55,8 @@ HWY_INLINE void set_beam(D d, const LineLanes<D>& line, hn::Mask<D> lanes, unsig
     const bool is_falling = ((falls >> axis) & 1) != 0;
     beam.front[axis] = is_falling ? least : greatest;
     beam.back[axis] = is_falling ? greatest : least;
-    beam.inverse_low[axis] = rounded_down(std::fmax(-most, std::fmin(most, least_of(d, lanes, line.axis_inverse[axis]))));
+    beam.inverse_low[axis] =
+        rounded_down(std::fmax(-most, std::fmin(most, least_of(d, lanes, line.axis_inverse[axis]))));
     beam.inverse_high[axis] =
         rounded_up(std::fmax(-most, std::fmin(most, greatest_of(d, lanes, line.axis_inverse[axis]))));
   }

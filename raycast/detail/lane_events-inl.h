@@ -340,8 +340,7 @@ HWY_INLINE void add_events(D d, const Scene& scene, const LineLanes<D>& line, co
                            const Slot& surface, const Departures<D>* departures, std::size_t i, Events<D>& events) {
   using Kind = LaneSurface::Kind;
   const std::uint32_t id = surface.surface;
-  const auto departing =
-      departures != nullptr ? departing_from(d, *departures, id) : hn::MaskFromVec(hn::Zero(d));
+  const auto departing = departures != nullptr ? departing_from(d, *departures, id) : hn::MaskFromVec(hn::Zero(d));
   switch (surface.kind) {
     case Kind::plane_x:
     case Kind::plane_y:

@@ -240,7 +240,8 @@ class Walk {
     return cell.step_count == 0 ? value_by_table(D(), cell, state) : value_of_large(cell, state);
   }
   HWY_NOINLINE M value_of_large(const Cell& cell, U state) const {
-    const auto value = is_gathered(cell) ? gathered_value(D(), gathered_, state) : value_by_steps(D(), cells_, cell, state);
+    const auto value =
+        is_gathered(cell) ? gathered_value(D(), gathered_, state) : value_by_steps(D(), cells_, cell, state);
     return hn::RebindMask(D(), value);
   }
   static HWY_INLINE bool is_gathered(const Cell& cell) { return uses_boxes && cell.step_count == gathered_cell; }
@@ -470,7 +471,8 @@ class Walk {
   }
 
   /// crossing_tau: both crossings of a quadric are computed at once, as both are likely to be wanted.
-  HWY_INLINE V end_tau(const Cell& cell, const Surface& surface, std::uint64_t i, M own, M rises, M& second, M& is_open) {
+  HWY_INLINE V end_tau(const Cell& cell, const Surface& surface, std::uint64_t i, M own, M rises, M& second,
+                       M& is_open) {
     const D d;
     if (!is_gathered(cell) || surface.kind == SurfaceKind::plane || !hn::AllFalse(d, own))
       return crossing_tau(d, line_, surface, own, rises, second, is_open);

@@ -12,64 +12,20 @@
 #include "csg/transform.h"
 #include "raycast/detail/cell_data.h"
 #include "raycast/packet_caster.h"
+#include "tests/support/batches.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
 
 using namespace csgcast;
+using test::Arrays;
+using test::check_lists;
+using test::check_same;
+using test::DepartingRays;
 using test::RandomSolids;
+using test::rays_at;
+using test::same;
 
 namespace {
-
-// Rays as arrays, and room for what they hit.
-struct Arrays {
-  explicit Arrays(const std::vector<Ray>& list)
-      : t(list.size()), surface(list.size()), state(list.size()), root(list.size()) {
-    for (const Ray& ray : list) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        origin[axis].push_back(ray.origin()[axis]);
-        direction[axis].push_back(ray.direction()[axis]);
-      }
-    }
-  }
-
-  RayArrays rays() const {
-    RayArrays arrays;
-    arrays.count = t.size();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      arrays.origin[axis] = origin[axis].data();
-      arrays.direction[axis] = direction[axis].data();
-    }
-    return arrays;
-  }
-  HitArrays hits() { return {state.data(), t.data(), surface.data(), root.data()}; }
-
-  std::array<std::vector<double>, 3> origin, direction;
-  std::vector<double> t;
-  std::vector<std::uint32_t> surface;
-  std::vector<std::uint8_t> state, root;
-};
-
-bool same(const Crossing& a, const Crossing& b) {
-  return a.t == b.t && a.surface == b.surface && (!a.surface.valid() || a.root == b.root);
-}
-
-void check_same(std::span<const Interval> found, const IntervalList& expected) {
-  REQUIRE(found.size() == expected.size());
-  for (std::size_t k = 0; k < expected.size(); ++k) {
-    CHECK(same(found[k].entry, expected[k].entry));
-    CHECK(same(found[k].exit, expected[k].exit));
-  }
-}
-
-std::vector<Ray> rays_at(RandomSolids& random, std::size_t count) {
-  std::vector<Ray> rays;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point target = random.point(1);
-    const Vector d = random.direction();
-    rays.emplace_back(target - random.number(0, 4) * d, d);
-  }
-  return rays;
-}
 
 // A plate with rows of holes, square to the axes.
 Solid plate() {
@@ -140,59 +96,16 @@ TEST_CASE("arrays of rays get the scalar caster's answers, however many there ar
 
 TEST_CASE("lists of rays that depart, and the faces at their ends, are the scalar caster's") {
   RandomSolids random(12);
-  for (const std::size_t leaves : {std::size_t{2}, std::size_t{6}, std::size_t{20}}) {
+  for (const int leaves : {2, 6, 20}) {
     const Scene scene = compile(random.tree(leaves) - transformed(sphere(0.6), translation({0.5, 0, 0})));
     const Cells cells(scene);
-    Caster scalar(scene);
-    std::vector<Ray> rays;
-    std::vector<std::uint32_t> surfaces;
-    std::vector<std::uint8_t> sides;
-    for (const Ray& ray : rays_at(random, 400)) {
-      scalar.begin(ray);
-      const std::optional<Hit> hit = scalar.first_hit();
-      if (!hit) continue;
-      const Attribution face = scalar.attribute(*hit);
-      rays.emplace_back(face.point, random.direction());
-      surfaces.push_back(hit->crossing.surface.index());
-      const Sense outside = hit->passage == Passage::entry ? face.front : opposite(face.front);
-      const bool goes_out = dot(rays.back().direction(), as_vector(face.normal)) > 0;
-      sides.push_back((goes_out ? outside : opposite(outside)) == Sense::positive ? 1 : 0);
-    }
-    REQUIRE(rays.size() > 20);
-    Arrays arrays(rays);
-    RayArrays departing = arrays.rays();
-    departing.departure = surfaces.data();
-    departing.departs_positive = sides.data();
+    const DepartingRays departing(scene, random, rays_at(random, 400));
+    REQUIRE(departing.rays.size() > 20);
+    const Arrays arrays(departing.rays);
     for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
-      for (const Rounding rounding : {Rounding::nearest, Rounding::close}) {
-        PacketCaster caster(cells, width);
-        IntervalBatch batch;
-        caster.intervals(departing, batch, rounding, PacketCaster::Ends::faces);
-        CHECK(caster.left_to_caster().size() < rays.size());
-        REQUIRE(batch.faces.size() == 2 * batch.intervals.size());
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-          const Sense side = sides[i] != 0 ? Sense::positive : Sense::negative;
-          scalar.begin(rays[i], Departure{SurfaceId(surfaces[i]), side});
-          IntervalList list;
-          scalar.intervals(scene.root(), list, {}, rounding);
-          const auto found = batch.of(i);
-          REQUIRE(found.size() == list.size());
-          for (std::size_t k = 0; k < list.size(); ++k) {
-            for (const Passage passage : {Passage::entry, Passage::exit}) {
-              const bool enters = passage == Passage::entry;
-              const Crossing& end = enters ? list[k].entry : list[k].exit;
-              CHECK(same(enters ? found[k].entry : found[k].exit, end));
-              const EndFace face = batch.faces[2 * (batch.offsets[i] + k) + (enters ? 0 : 1)];
-              REQUIRE(face.leaf.valid() == end.surface.valid());
-              if (!end.surface.valid()) continue;
-              const Attribution expected = scalar.attribute({end, passage});
-              CHECK(face.leaf == expected.leaf);
-              CHECK(face.look == expected.look);
-              CHECK(face.normal == expected.normal);
-            }
-          }
-        }
-      }
+      PacketCaster caster(cells, width);
+      check_lists(cells, caster, departing.arrays(arrays), departing.rays);
+      CHECK(caster.left_to_caster().size() < departing.rays.size());
     }
   }
 }

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <vector>
+
+#include "csg/primitives.h"
+#include "csg/transform.h"
+#include "raycast/cells.h"
+#include "raycast/packet_caster.h"
+#include "tests/support/batches.h"
+#include "tests/support/catch.h"
+#include "tests/support/random_solid.h"
+
+using namespace csgcast;
+using test::Arrays;
+using test::check_lists;
+using test::DepartingRays;
+using test::RandomSolids;
+using test::rays_at;
+
+namespace {
+
+Solid moved(Solid solid, Vector by) { return transformed(std::move(solid), translation(by)); }
+
+// Small solids all over the cube of side 2: balls, ellipsoids, lenses, rods.
+std::vector<Solid> crumbs(RandomSolids& random, std::size_t count, double size) {
+  std::vector<Solid> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point at = random.point(1);
+    const double r = size * random.number(0.5, 1);
+    Solid solid = sphere(r);
+    if (i % 4 == 1) solid = ellipsoid({r, 0.7 * r, 0.4 * r});
+    if (i % 4 == 2) solid = moved(sphere(r), {0.4 * r, 0, 0}) & moved(sphere(r), {-0.4 * r, 0, 0});
+    if (i % 16 == 3) solid = cylinder(2 * r, 0.3 * r, 0.3 * r, Centering::centered);
+    result.push_back(moved(solid, {at.x, at.y, at.z}));
+  }
+  return result;
+}
+
+Solid die(Solid holes) { return box({2, 2, 2}, Centering::centered) - std::move(holes); }
+
+// Whatever is asked of it, in packets and ray by ray.
+void check_all(const Scene& scene, std::uint64_t seed) {
+  RandomSolids random(seed);
+  const Cells cells(scene);
+  REQUIRE(cells.counts().boxed > 0);
+  const std::vector<Ray> rays = rays_at(random, 300);
+  const DepartingRays departing(scene, random, rays);
+  REQUIRE(departing.rays.size() > 20);
+  const Arrays arrays(rays);
+  const Arrays departing_arrays(departing.rays);
+  std::vector<double> ends;
+  for (std::size_t i = 0; i < rays.size(); ++i) ends.push_back(random.number(0, 3));
+  for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
+    PacketCaster caster(cells, width);
+    RayArrays asked = arrays.rays();
+    check_lists(cells, caster, asked, rays);
+    CHECK(caster.left_to_caster().size() < rays.size() / 10);
+    asked.whole_line = true;
+    check_lists(cells, caster, asked, rays);
+    asked.end = ends.data();
+    check_lists(cells, caster, asked, rays);
+    asked.whole_line = false;
+    check_lists(cells, caster, asked, rays);
+    check_lists(cells, caster, departing.arrays(departing_arrays), departing.rays);
+  }
+}
+
+std::size_t nodes_of_a_list(const Cells& cells, const Ray& ray) {
+  PacketCaster caster(cells);
+  IntervalBatch batch;
+  const std::vector<Ray> rays(8, ray);
+  caster.intervals(rays, batch);
+  return caster.counts().nodes;
+}
+
+}  // namespace
+
+TEST_CASE("lists by boxes of unions, and of what is left between holes, are the scalar caster's") {
+  RandomSolids random(21);
+  check_all(compile(unite(crumbs(random, 200, 0.1))), 1);
+  check_all(compile(die(unite(crumbs(random, 200, 0.1)))), 2);
+  check_all(compile(transformed(die(unite(crumbs(random, 80, 0.15))), rotation(35, {1, 2, 3}))), 3);
+}
+
+TEST_CASE("solids in boxes that share surfaces are the scalar caster's") {
+  // Layers of voids that end in the same planes, and of caps of balls, cut by these, that stand on each other.
+  std::vector<Solid> voids;
+  std::vector<Solid> caps;
+  for (int k = 0; k < 6; ++k) {
+    const Vector layer{0, 0, -0.9 + 0.3 * k};
+    const Solid above = moved(box({4, 4, 4}, Centering::centered), layer + Vector{0, 0, 2});
+    const Solid below = moved(box({4, 4, 4}, Centering::centered), layer + Vector{0, 0, -2});
+    for (int i = 0; i < 8; ++i) {
+      for (int j = 0; j < 8; ++j) {
+        const Vector at = layer + Vector{-0.9 + 0.25 * i, -0.9 + 0.25 * j, 0};
+        voids.push_back(moved(cylinder(0.25, 0.03, 0.03), at));
+        caps.push_back(moved(sphere(0.05), at) & (j % 2 == 0 ? above : below));
+        if (i % 4 == 0) caps.push_back(moved(sphere(0.03), at) & (j % 2 == 0 ? below : above));
+      }
+    }
+  }
+  check_all(compile(die(unite(voids))), 4);
+  check_all(compile(unite(caps)), 5);
+}
+
+TEST_CASE("a segment within a solid meets no surface, and is inside all the same") {
+  RandomSolids random(23);
+  const Scene scene = compile(die(unite(crumbs(random, 100, 0.05))));
+  const Cells cells(scene);
+  REQUIRE(cells.counts().boxed > 0);
+  const std::vector<Ray> rays(8, Ray({0.999, 0.999, 0.999}, {-1, -1, -1}));
+  const Arrays arrays(rays);
+  const std::vector<double> ends(8, 1e-4);
+  RayArrays asked = arrays.rays();
+  asked.end = ends.data();
+  PacketCaster caster(cells);
+  check_lists(cells, caster, asked, rays);
+  IntervalBatch batch;
+  caster.intervals(asked, batch);
+  CHECK(batch.intervals.size() == 8);
+  CHECK(caster.left_to_caster().empty());
+}
+
+TEST_CASE("lines that meet too many boxes go through cells") {
+  RandomSolids random(24);
+  std::vector<Solid> solids = crumbs(random, 3000, 0.02);
+  for (int i = 0; i < 100; ++i) solids.push_back(moved(sphere(0.005), {-0.99 + 0.0198 * i, 0.4, 0.3}));
+  const Scene scene = compile(unite(solids));
+  const Cells cells(scene);
+  REQUIRE(cells.counts().boxed > 3000);
+  const Ray along({-3, 0.4, 0.3}, {1, 1e-5, 1e-5});
+  const Ray beside({-3, 0.45, 0.3}, {1, 1e-5, 1e-5});
+  CHECK(nodes_of_a_list(cells, along) > 100);
+  CHECK(nodes_of_a_list(cells, beside) < 100);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 64; ++i) rays.emplace_back(Point{-3, 0.4 + 0.0001 * i, 0.3}, Vector{1, 1e-5, 1e-5});
+  const Arrays arrays(rays);
+  for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
+    PacketCaster caster(cells, width);
+    check_lists(cells, caster, arrays.rays(), rays);
+  }
+}
+
+TEST_CASE("boxes are kept where they pay only") {
+  RandomSolids random(25);
+  const auto boxed = [](const Solid& solid) { return Cells(compile(solid)).counts().boxed; };
+  CHECK(boxed(unite(crumbs(random, 5, 0.1))) == 0);            // too few
+  CHECK(boxed(unite(crumbs(random, 60, 0.9))) == 0);           // a line meets most of them
+  CHECK(boxed(complement(unite(crumbs(random, 60, 0.1)))) == 0);  // unbounded
+  CHECK(boxed(unite(crumbs(random, 60, 0.1)) & unite(crumbs(random, 60, 0.1))) == 0);  // not a union less others
+}

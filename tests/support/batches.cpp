@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/batches.h"
+
+#include "tests/support/catch.h"
+
+namespace csgcast::test {
+
+Arrays::Arrays(const std::vector<Ray>& list)
+    : t(list.size()), surface(list.size()), state(list.size()), root(list.size()) {
+  for (const Ray& ray : list) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      origin[axis].push_back(ray.origin()[axis]);
+      direction[axis].push_back(ray.direction()[axis]);
+    }
+  }
+}
+
+RayArrays Arrays::rays() const {
+  RayArrays arrays;
+  arrays.count = t.size();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    arrays.origin[axis] = origin[axis].data();
+    arrays.direction[axis] = direction[axis].data();
+  }
+  return arrays;
+}
+
+bool same(const Crossing& a, const Crossing& b) {
+  return a.t == b.t && a.surface == b.surface && (!a.surface.valid() || a.root == b.root);
+}
+
+void check_same(std::span<const Interval> found, const IntervalList& expected) {
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    CHECK(same(found[k].entry, expected[k].entry));
+    CHECK(same(found[k].exit, expected[k].exit));
+  }
+}
+
+namespace {
+
+void check_face(Caster& scalar, const Crossing& end, Passage passage, const EndFace& face) {
+  REQUIRE(face.leaf.valid() == end.surface.valid());
+  if (!end.surface.valid()) return;
+  const Attribution expected = scalar.attribute({end, passage});
+  CHECK(face.leaf == expected.leaf);
+  CHECK(face.look == expected.look);
+  CHECK(face.normal == expected.normal);
+}
+
+}  // namespace
+
+void check_lists(const Cells& cells, PacketCaster& caster, const RayArrays& arrays, const std::vector<Ray>& list) {
+  Caster scalar(cells.scene());
+  for (const Rounding rounding : {Rounding::nearest, Rounding::close}) {
+    IntervalBatch batch;
+    caster.intervals(arrays, batch, rounding, PacketCaster::Ends::faces);
+    REQUIRE(batch.faces.size() == 2 * batch.intervals.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      std::optional<Departure> departure;
+      if (arrays.departure != nullptr) {
+        const Sense side = arrays.departs_positive[i] != 0 ? Sense::positive : Sense::negative;
+        departure = Departure{SurfaceId(arrays.departure[i]), side};
+      }
+      Span span = arrays.whole_line ? Span::line() : Span();
+      if (arrays.end != nullptr) span.to = arrays.end[i];
+      scalar.begin(list[i], departure);
+      IntervalList expected;
+      scalar.intervals(cells.scene().root(), expected, span, rounding);
+      check_same(batch.of(i), expected);
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        const std::size_t face = 2 * (batch.offsets[i] + k);
+        check_face(scalar, expected[k].entry, Passage::entry, batch.faces[face]);
+        check_face(scalar, expected[k].exit, Passage::exit, batch.faces[face + 1]);
+      }
+    }
+  }
+}
+
+std::vector<Ray> rays_at(RandomSolids& random, std::size_t count) {
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point target = random.point(1);
+    const Vector d = random.direction();
+    rays.emplace_back(target - random.number(0, 4) * d, d);
+  }
+  return rays;
+}
+
+DepartingRays::DepartingRays(const Scene& scene, RandomSolids& random, std::span<const Ray> from) {
+  Caster scalar(scene);
+  for (const Ray& ray : from) {
+    scalar.begin(ray);
+    const std::optional<Hit> hit = scalar.first_hit();
+    if (!hit) continue;
+    const Attribution face = scalar.attribute(*hit);
+    rays.emplace_back(face.point, random.direction());
+    surfaces.push_back(hit->crossing.surface.index());
+    const Sense outside = hit->passage == Passage::entry ? face.front : opposite(face.front);
+    const bool goes_out = dot(rays.back().direction(), as_vector(face.normal)) > 0;
+    sides.push_back((goes_out ? outside : opposite(outside)) == Sense::positive ? 1 : 0);
+  }
+}
+
+RayArrays DepartingRays::arrays(const Arrays& from) const {
+  RayArrays result = from.rays();
+  result.departure = surfaces.data();
+  result.departs_positive = sides.data();
+  return result;
+}
+
+}  // namespace csgcast::test
