@@ -86,6 +86,11 @@ CellData CellBuilder::build(NodeId node) {
     data_.reaches_beyond = false;
     return std::move(data_);
   }
+  if (!data_.reaches_beyond) {
+    const Box& world = scene_.node(node).box;  // has a margin of 2^-30 of its coordinates
+    data_.middle = world.lower + 0.5 * (world.upper - world.lower);
+    data_.half_size = 0.5 * (world.upper - world.lower);
+  }
   if (data_.reaches_beyond) {
     build_outside(whole);
   } else {

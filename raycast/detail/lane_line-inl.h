@@ -145,6 +145,34 @@ HWY_INLINE hn::Mask<D> has_tiny_part(D d, const Triples<hn::Vec<D>>& v) {
   return hn::Or(is_tiny(v.x), hn::Or(is_tiny(v.y), is_tiny(v.z)));
 }
 
+/// The lanes whose lines pass by the solid's box for certain. A line and a box are apart if they are when one looks
+/// along an axis: there the line's distance from the box' middle, times the direction's length, is a cross product.
+/// Its terms are off by 3 u of themselves: counted as so much more of the box' size. What underflows is far less than
+/// `least` of sizes and directions in range, 2^-400 and more.
+template <class D>
+HWY_INLINE hn::Mask<D> passes_by(D d, const CellData& cells, const Triples<hn::Vec<D>>& origin,
+                                 const Triples<hn::Vec<D>>& direction) {
+  using V = hn::Vec<D>;
+  const V u8 = hn::Set(d, 8 * 0x1p-53);
+  const V least = hn::Set(d, 0x1p-1000);
+  const auto from_middle = [&](V at, double middle) { return hn::Sub(at, hn::Set(d, middle)); };
+  const auto reach = [&](V from, double half) { return hn::MulAdd(u8, hn::Abs(from), hn::Set(d, half)); };
+  const V v[3] = {from_middle(origin.x, cells.middle.x), from_middle(origin.y, cells.middle.y),
+                  from_middle(origin.z, cells.middle.z)};
+  const V r[3] = {reach(v[0], cells.half_size.x), reach(v[1], cells.half_size.y), reach(v[2], cells.half_size.z)};
+  const V along[3] = {direction.x, direction.y, direction.z};
+  const V size[3] = {hn::Abs(along[0]), hn::Abs(along[1]), hn::Abs(along[2])};
+  auto result = hn::MaskFromVec(hn::Zero(d));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t i = (axis + 1) % 3;
+    const std::size_t j = (axis + 2) % 3;
+    const V distance = hn::Abs(hn::Sub(hn::Mul(v[i], along[j]), hn::Mul(v[j], along[i])));
+    const V most = hn::MulAdd(r[i], size[j], hn::MulAdd(r[j], size[i], least));
+    result = hn::Or(result, hn::Gt(distance, most));
+  }
+  return result;
+}
+
 /// The line in its frame, as LineFrame makes it.
 template <class D>
 HWY_INLINE void set_line(D d, const Frame& frame, const CellData& cells, const RayArrays& rays, std::size_t first,

@@ -27,17 +27,22 @@ class Walk {
        EndLog<D>* ends, PacketCounts& counts)
       : scene_(scene), cells_(cells), line_(line), departures_(departures), ends_(ends), counts_(counts) {}
 
-  /// `lanes`: those that hold a ray.
-  HWY_INLINE void run(M lanes) {
-    const D d;
-    const V zero = hn::Zero(d);
-    flagged_ = hn::AndNot(line_.valid, lanes);
-    live_ = hn::And(lanes, line_.valid);
-    found_ = begun_ = now_inside_ = started_inside_ = unrounded_ = hn::MaskFromVec(zero);
+  /// Nothing is found yet.
+  HWY_INLINE void begin() {
+    const V zero = hn::Zero(D());
+    flagged_ = found_ = begun_ = now_inside_ = started_inside_ = unrounded_ = hn::MaskFromVec(zero);
     if constexpr (wanted == Wanted::all) ends_->clear();
     slot_ = count_ = hn::Zero(Bits());
     rises_ = covered_lanes_ = found_;
     covered_ = zero;
+  }
+
+  /// `lanes`: those that hold a ray.
+  HWY_INLINE void run(M lanes) {
+    const D d;
+    begin();
+    flagged_ = hn::AndNot(line_.valid, lanes);
+    live_ = hn::And(lanes, line_.valid);
     V from = line_.start;
     V to = line_.end;
     if (cells_.is_empty) return;
@@ -59,7 +64,7 @@ class Walk {
       const unsigned signs = signs_of(leader);
       M group = waiting;
       for (unsigned axis = 0; axis < 3; ++axis) {
-        const M negative = hn::Lt(line_.axis_inverse[axis], zero);
+        const M negative = hn::Lt(line_.axis_inverse[axis], hn::Zero(d));
         group = ((signs >> axis) & 1) != 0 ? hn::And(group, negative) : hn::AndNot(negative, group);
       }
       waiting = hn::AndNot(group, waiting);
@@ -319,7 +324,7 @@ class Walk {
   }
 
   /// Lanes that start inside the cell learn what they start in.
-  HWY_INLINE void begin(M lanes, M inside) {
+  HWY_INLINE void begin_in(M lanes, M inside) {
     now_inside_ = hn::Or(hn::AndNot(lanes, now_inside_), hn::And(lanes, inside));
     started_inside_ = hn::Or(started_inside_, hn::And(lanes, inside));
     if constexpr (wanted == Wanted::any) {
@@ -336,7 +341,7 @@ class Walk {
     // Whoever comes in from beyond comes from outside: only a start within the cells needs to be looked at.
     begun_ = hn::Or(begun_, active);
     if (cell.slot_count == 0) {
-      if (!hn::AllFalse(d, starting)) begin(starting, cell.value ? starting : hn::Xor(starting, starting));
+      if (!hn::AllFalse(d, starting)) begin_in(starting, cell.value ? starting : hn::Xor(starting, starting));
       // No surface is near the cell. The state on the way in must agree: it does, unless something is wrong.
       covered_lanes_ = hn::AndNot(active, covered_lanes_);
       return flag(cell.value ? hn::AndNot(now_inside_, active) : hn::And(now_inside_, active));
@@ -363,11 +368,11 @@ class Walk {
   void start(const Cell& cell, M lanes) {
     const D d;
     const U after = state_at(cell, hn::Add(line_.start, events_.slack));
-    if constexpr (!certified) return begin(lanes, value_of(cell, after));
+    if constexpr (!certified) return begin_in(lanes, value_of(cell, after));
     const U before = state_at(cell, hn::Sub(line_.start, events_.slack));
     const M differs = hn::And(lanes, hn::RebindMask(d, hn::Ne(before, after)));
     flag(differs);
-    begin(hn::AndNot(differs, lanes), value_of(cell, after));
+    begin_in(hn::AndNot(differs, lanes), value_of(cell, after));
   }
 
   /// Event by event, as long as some lane has one in the cell. An event counts as certain if no other is within slack

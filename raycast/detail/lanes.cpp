@@ -137,11 +137,18 @@ HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells
 template <class D, Wanted wanted>
 HWY_INLINE void walk_packet(D d, const Scene& scene, const CellData& cells, const RayArrays& rays, std::size_t first,
                             std::size_t count, LineLanes<D>& line, Walk<D, wanted>& walk, PacketCounts& counts) {
-  set_line(d, scene.frame(), cells, rays, first, count, line);
-  prepare_walk(d, cells, rays, first, count, line);
-  walk.run(hn::FirstN(d, count));
   counts.rays += count;
   ++counts.packets;
+  const auto lanes = hn::FirstN(d, count);
+  // Rays that depart from the solid meet its box.
+  if (rays.departure == nullptr && !cells.reaches_beyond) {
+    const auto origin = load_lanes(d, rays.origin, first, count);
+    const auto direction = load_lanes(d, rays.direction, first, count);
+    if (hn::AllFalse(d, hn::AndNot(passes_by(d, cells, origin, direction), lanes))) return walk.begin();
+  }
+  set_line(d, scene.frame(), cells, rays, first, count, line);
+  prepare_walk(d, cells, rays, first, count, line);
+  walk.run(lanes);
 }
 
 template <class D, Wanted wanted>
