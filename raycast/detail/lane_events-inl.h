@@ -240,9 +240,16 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   const auto falls = hn::Lt(f.b, zero);
   const V sum = hn::IfThenElse(falls, hn::Sub(root, f.b), hn::Neg(hn::Add(f.b, root)));
   const V abs_sum = hn::Abs(sum);
-  const V sum_error = hn::Add(error_b, hn::MulAdd(set(2 * u), abs_sum, hn::Div(d_error, root)));
-  const V inverse_sum = hn::Div(set(1.0), sum);
-  const V inverse_a = hn::Div(set(1.0), f.a);
+  // One division for three inverses: each is off by 5 u.
+  const V tiny = set(1e-100);
+  const V safe_a = hn::IfThenElse(hn::Lt(hn::Abs(f.a), tiny), tiny, f.a);
+  const V a_root = hn::Mul(safe_a, root);
+  const V sum_root = hn::Mul(sum, root);
+  const V inverse = hn::Div(set(1.0), hn::Mul(sum, a_root));
+  const V inverse_sum = hn::Mul(a_root, inverse);
+  const V inverse_a = hn::Mul(sum_root, inverse);
+  const V inverse_root = hn::Abs(hn::Mul(hn::Mul(safe_a, sum), inverse));
+  const V sum_error = hn::Add(error_b, hn::MulAdd(set(2 * u), abs_sum, hn::Mul(d_error, inverse_root)));
   const V at_near = hn::Mul(f.c, inverse_sum);
   const V at_far = hn::Mul(sum, inverse_a);
   const V near_off = hn::Mul(hn::MulAdd(hn::Abs(at_near), sum_error, error_c), hn::Abs(inverse_sum));
