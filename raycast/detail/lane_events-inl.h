@@ -297,7 +297,7 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   const V middle = hn::Sub(f.origin, ratio);
   const V other = hn::Sub(hn::Add(middle, middle), line.start);
   const V ratio_off = hn::Mul(hn::MulAdd(hn::Abs(ratio), error_a, error_b), hn::Abs(inverse_a));
-  const V other_slack = hn::MulAdd(set(16.0), ratio_off, set(512 * u));
+  const V other_slack = hn::MulAdd(set(16.0), ratio_off, set(1024 * u));
   const auto leaves =
       hn::Or(hn::And(a_is_positive, departures->positive), hn::AndNot(a_is_positive, hn::Not(departures->positive)));
   const auto comes_back = hn::AndNot(leaves, departing);
