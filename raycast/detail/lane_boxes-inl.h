@@ -173,6 +173,168 @@ HWY_INLINE hn::Mask<BitsOf<D>> gathered_value(D, const Gathered& gathered, hn::V
   return hn::AndNot(out, in);
 }
 
+/// Finds what the lines of some lanes may meet, and the events of its surfaces.
+template <class D>
+class Gatherer {
+ public:
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+  using Bits = BitsOf<D>;
+  using U = hn::Vec<Bits>;
+
+  Gatherer(const Scene& scene, const CellData& cells, const LineLanes<D>& line, const Departures<D>* departures,
+           Events<D>& events, Gathered& gathered, PacketCounts& counts)
+      : scene_(scene),
+        cells_(cells),
+        line_(line),
+        departures_(departures),
+        events_(events),
+        gathered_(gathered),
+        counts_(counts) {}
+
+  /// Between two places, of lanes of one direction's signs: how many surfaces there are; nothing if too many.
+  HWY_INLINE std::optional<std::size_t> gather(V from, V to, M lanes, unsigned signs) {
+    Beam beam;
+    set_beam(D(), line_, lanes, signs, from, to, beam);
+    const bool are_few = find_conjunctions<hn::is_single<D>>(cells_.boxes, beam, met_);
+    counts_.nodes += met_.node_count;
+    if (!are_few) return std::nullopt;
+    return gather_events(from, to, lanes);
+  }
+
+ private:
+  /// The events of the surfaces of all conjunctions that were gathered, but for those that the lanes miss: how
+  /// many; nothing if they are too many.
+  HWY_INLINE std::optional<std::size_t> gather_events(V from, V to, M lanes) {
+    const D d;
+    const BoxTree& tree = cells_.boxes;
+    clear_events(d, line_, tree.slack, events_);
+    gathered_.begin();
+    const V margin = hn::Set(d, 4 * greatest_slack);
+    const Stretch stretch{hn::Sub(from, margin), hn::Add(to, margin), lanes};
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < met_.conjunction_count; ++k) {
+      const Conjunction& conjunction = tree.conjunctions[met_.conjunctions[k] - BoxNode::conjunction];
+      if (count + conjunction.count > Cell::most_slots) return std::nullopt;
+      if (conjunction.count == 1) {
+        count = add_simple(tree, conjunction, stretch, count);
+      } else {
+        count = add_conjunction(tree, conjunction, stretch, count);
+      }
+    }
+    return count;
+  }
+
+  /// The part of their lines that lanes look at.
+  struct Stretch {
+    V from, to;
+    M lanes;
+  };
+
+  /// What a surface does on the stretch.
+  struct Course {
+    M meets;     ///< it is crossed
+    M positive;  ///< at the start of the stretch
+  };
+
+  /// Computes a surface's events, as those at some place.
+  HWY_INLINE Course course_of(const Slot& slot, const Stretch& stretch, std::size_t at) {
+    const D d;
+    const Bits bits;
+    ++counts_.surface_tests;
+    add_events(d, scene_, line_, cells_.axis_bounds, slot, departures_, at, events_);
+    if (is_plane(slot.kind)) events_.second[at] = hn::Inf(d);
+    const V first = events_.first[at];
+    const V second = events_.second[at];
+    const auto within = [&](V event) { return hn::And(hn::Ge(event, stretch.from), hn::Le(event, stretch.to)); };
+    const U bit = hn::Set(bits, std::uint64_t{1} << at);
+    const M before = hn::RebindMask(d, hn::Ne(hn::And(events_.before, bit), hn::Zero(bits)));
+    return {hn::Or(within(first), within(second)),
+            hn::Xor(before, hn::Xor(hn::Lt(first, stretch.from), hn::Lt(second, stretch.from)))};
+  }
+
+  /// Forgets events that were computed from some place on.
+  HWY_INLINE void forget_events(std::size_t from, std::size_t to) {
+    const std::uint64_t kept = ~((std::uint64_t{1} << to) - (std::uint64_t{1} << from));
+    events_.before = hn::And(events_.before, hn::Set(Bits(), kept));
+  }
+
+  /// A conjunction of one surface. Returns how many slots there are then.
+  HWY_INLINE std::size_t add_simple(const BoxTree& tree, const Conjunction& conjunction, const Stretch& stretch,
+                                    std::size_t count) {
+    const BoxedSide& side = tree.sides[conjunction.first];
+    if (side.is_shared) return add_conjunction(tree, conjunction, stretch, count);
+    const Course course = course_of(cells_.slots[side.slot], stretch, count);
+    const M holds = side.wants_positive ? course.positive : hn::Not(course.positive);
+    // Whether some lane meets it is hard to foresee: packets go on without a branch.
+    const bool matters = !hn::AllFalse(D(), hn::And(stretch.lanes, hn::Or(course.meets, holds)));
+    if (hn::is_single<D> && !matters) {
+      forget_events(count, count + 1);
+      return count;
+    }
+    const std::uint64_t bit = std::uint64_t{matters} << count;
+    forget_events(count + matters, count + 1);
+    gathered_.slots[count] = side.slot;
+    gathered_.united |= conjunction.is_subtracted ? 0 : bit;
+    gathered_.subtracted |= conjunction.is_subtracted ? bit : 0;
+    gathered_.flipped |= side.wants_positive ? 0 : bit;
+    return count + matters;
+  }
+
+  /// One of several surfaces: those matter that the lanes cross on the stretch, unless they are on the wrong side of
+  /// another all along.
+  HWY_INLINE std::size_t add_conjunction(const BoxTree& tree, const Conjunction& conjunction, const Stretch& stretch,
+                                         std::size_t count) {
+    const D d;
+    const std::size_t before = count;
+    Gathered::Part part{0, 0, conjunction.is_subtracted};
+    for (std::size_t i = 0; i < conjunction.count; ++i) {
+      const BoxedSide& side = tree.sides[conjunction.first + i];
+      const std::size_t at = side.is_shared ? gathered_.place_of(side.slot, count) : count;
+      if (at == count) {
+        const Course course = course_of(cells_.slots[side.slot], stretch, at);
+        if (hn::AllFalse(d, hn::And(stretch.lanes, course.meets))) {
+          const M holds = side.wants_positive ? course.positive : hn::Not(course.positive);
+          if (hn::AllFalse(d, hn::And(stretch.lanes, holds))) {
+            forget_events(before, at + 1);
+            return before;
+          }
+          if (hn::AllFalse(d, hn::AndNot(holds, stretch.lanes))) {
+            forget_events(at, at + 1);
+            continue;
+          }
+        }
+        gathered_.slots[count++] = side.slot;
+      }
+      const std::uint64_t bit = std::uint64_t{1} << at;
+      part.mask |= bit;
+      if (side.wants_positive) part.want |= bit;
+    }
+    gathered_.parts[gathered_.part_count++] = part;
+    return count;
+  }
+
+  const Scene& scene_;
+  const CellData& cells_;
+  const LineLanes<D>& line_;
+  const Departures<D>* departures_;
+  Events<D>& events_;
+  Gathered& gathered_;
+  PacketCounts& counts_;
+  Met met_;
+};
+
+/// The slots of some surfaces that were gathered. Of lanes that found nothing the index means nothing.
+template <class D>
+HWY_INLINE hn::Vec<BitsOf<D>> gathered_slots(D, const Gathered& gathered, hn::Vec<BitsOf<D>> index) {
+  const BitsOf<D> bits;
+  HWY_ALIGN std::uint64_t slots[16];
+  hn::Store(index, bits, slots);
+  for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane)
+    slots[lane] = gathered.slots[slots[lane] < Cell::most_slots ? slots[lane] : 0];
+  return hn::Load(bits, slots);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace csgcast::detail
 HWY_AFTER_NAMESPACE();

@@ -76,6 +76,25 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
   return hn::IfThenElse(own, other, tau);
 }
 
+/// The crossings of a cell's quadrics, both computed at once when one is first asked for.
+template <class D>
+struct CellCrossings {
+  Crossings<D> crossings[Cell::most_slots];
+  std::uint64_t known = 0;  ///< a bit each
+
+  /// crossing_tau of the cell's i-th surface.
+  HWY_INLINE hn::Vec<D> tau(D d, const LineLanes<D>& line, const Surface& surface, std::uint64_t i, hn::Mask<D> own,
+                            hn::Mask<D> rises, hn::Mask<D>& second, hn::Mask<D>& is_open) {
+    if (surface.kind == SurfaceKind::plane || !hn::AllFalse(d, own))
+      return crossing_tau(d, line, surface, own, rises, second, is_open);
+    if (((known >> i) & 1) == 0) {
+      crossings[i] = crossings_of(d, quadratic(d, line, surface), line, surface);
+      known |= std::uint64_t{1} << i;
+    }
+    return crossing_tau(d, crossings[i], surface, rises, second, is_open);
+  }
+};
+
 /// The lanes that depart from a surface.
 template <class D>
 HWY_INLINE hn::Mask<D> own_lanes(D d, const Departures<D>* departures, std::uint32_t surface) {

@@ -202,6 +202,29 @@ HWY_INLINE hn::Vec<D> tau_at(D d, const LineLanes<D>& line, std::size_t axis, do
   return hn::MulSub(hn::Set(d, place), line.axis_inverse[axis], line.axis_offset[axis]);
 }
 
+/// Cuts stretches of lines to a box along the axes of the cells.
+template <class D>
+HWY_INLINE void clip_to_box(D d, const LineLanes<D>& line, const CellBox& box, hn::Vec<D>& from, hn::Vec<D>& to) {
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const auto low = tau_at(d, line, axis, box.lower[axis]);
+    const auto high = tau_at(d, line, axis, box.upper[axis]);
+    from = hn::Max(from, hn::Min(low, high));
+    to = hn::Min(to, hn::Max(low, high));
+  }
+}
+
+/// The axes along which a lane's line falls, a bit each.
+template <class D>
+HWY_INLINE unsigned falling_axes(D d, const LineLanes<D>& line, std::size_t lane) {
+  unsigned falls = 0;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    HWY_ALIGN double values[16];
+    hn::Store(line.axis_inverse[axis], d, values);
+    falls |= static_cast<unsigned>(values[lane] < 0) << axis;
+  }
+  return falls;
+}
+
 /// With fewer roundings than dot: for what is certified by bounds, and told of by other formulas.
 template <class V>
 HWY_INLINE V fused_dot(const Triples<V>& a, const Triples<V>& b) {

@@ -103,6 +103,25 @@ HWY_INLINE hn::Mask<D> twins(D d, const Events<D>& events, const Cell& cell, hn:
   return met;
 }
 
+/// Of two surfaces that flip close to each other.
+template <class D>
+struct Order {
+  hn::Mask<D> does_not_matter;
+  hn::Mask<D> by_first, by_second;  ///< the value changes, and one alone decides it, before the other and after it
+};
+
+/// By the value before both, after both, and after each alone.
+template <class D>
+HWY_INLINE Order<D> order_of_two(D, hn::Mask<D> before, hn::Mask<D> after, hn::Mask<D> first, hn::Mask<D> second) {
+  const auto first_changes = hn::Xor(before, first);
+  const auto second_changes = hn::Xor(before, second);
+  const auto changes = hn::Xor(before, after);
+  const auto none = hn::AndNot(changes, hn::Not(hn::Or(first_changes, second_changes)));
+  const auto by_first = hn::And(changes, hn::AndNot(second_changes, first_changes));
+  const auto by_second = hn::And(changes, hn::AndNot(first_changes, second_changes));
+  return {hn::Or(none, hn::Or(by_first, by_second)), by_first, by_second};
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace csgcast::detail
 HWY_AFTER_NAMESPACE();

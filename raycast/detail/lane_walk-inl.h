@@ -51,7 +51,7 @@ class Walk {
       flag(hn::And(live_, far_out));
     } else {
       live_ = hn::AndNot(far_out, live_);
-      clip(from, to);
+      clip_to_box(d, line_, cells_.box, from, to);
     }
     M waiting = hn::And(live_, hn::Le(from, to));
     if constexpr (hn::is_single<D>) {
@@ -87,16 +87,7 @@ class Walk {
   M unrounded() const { return unrounded_; }  ///< the lanes with some end whose t lanes could not round
 
  private:
-  HWY_INLINE unsigned signs_of(std::size_t lane) const {
-    const D d;
-    unsigned signs = 0;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      HWY_ALIGN double values[16];
-      hn::Store(line_.axis_inverse[axis], d, values);
-      signs |= static_cast<unsigned>(values[lane] < 0) << axis;
-    }
-    return signs;
-  }
+  HWY_INLINE unsigned signs_of(std::size_t lane) const { return falling_axes(D(), line_, lane); }
 
   /// Lanes of one direction's signs.
   HWY_INLINE void go(V from, V to, M lanes, unsigned signs) {
@@ -106,134 +97,20 @@ class Walk {
 
   /// As if all were one cell, with the surfaces of what the lanes may meet; false if these are too many.
   bool go_by_boxes(V from, V to, M lanes, unsigned signs) {
-    const D d;
-    Beam beam;
-    set_beam(d, line_, lanes, signs, from, to, beam);
-    const bool are_few = find_conjunctions<hn::is_single<D>>(cells_.boxes, beam, met_);
-    counts_.nodes += met_.node_count;
-    if (!are_few) return false;
     Cell cell;
     cell.slack = cells_.boxes.slack;
     cell.may_have_twins = cells_.boxes.may_have_twins;
     cell.step_count = gathered_cell;
-    if (!gather_events(from, to, lanes, cell)) return false;
+    Gatherer<D> gatherer(scene_, cells_, line_, departures_, events_, gathered_, counts_);
+    const std::optional<std::size_t> slots = gatherer.gather(from, to, lanes, signs);
+    if (!slots) return false;
+    cell.slot_count = static_cast<std::uint8_t>(*slots);
     ++counts_.cells;
     const M starting = hn::And(lanes, hn::Le(from, line_.start));
     begun_ = hn::Or(begun_, lanes);
-    if (met_.conjunction_count != 0) look_into(cell, from, to, lanes, starting);
+    // Lanes that know too little are flagged even where no surface is left.
+    look_into(cell, from, to, lanes, starting);
     return true;
-  }
-
-  /// The events of the surfaces of all conjunctions that were gathered, but for those that the lanes miss; false if
-  /// they are too many.
-  HWY_INLINE bool gather_events(V from, V to, M lanes, Cell& cell) {
-    const D d;
-    const BoxTree& tree = cells_.boxes;
-    clear_events(d, line_, cell.slack, events_);
-    gathered_.begin();
-    const V margin = hn::Set(d, 4 * greatest_slack);
-    const Stretch stretch{hn::Sub(from, margin), hn::Add(to, margin), lanes};
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < met_.conjunction_count; ++k) {
-      const Conjunction& conjunction = tree.conjunctions[met_.conjunctions[k] - BoxNode::conjunction];
-      if (count + conjunction.count > Cell::most_slots) return false;
-      if (conjunction.count == 1) {
-        count = add_simple(tree, conjunction, stretch, count);
-      } else {
-        count = add_conjunction(tree, conjunction, stretch, count);
-      }
-    }
-    cell.slot_count = static_cast<std::uint8_t>(count);
-    return true;
-  }
-
-  /// The part of their lines that lanes look at.
-  struct Stretch {
-    V from, to;
-    M lanes;
-  };
-
-  /// What a surface does on the stretch.
-  struct Course {
-    M meets;     ///< it is crossed
-    M positive;  ///< at the start of the stretch
-  };
-
-  /// Computes a surface's events, as those at some place.
-  HWY_INLINE Course course_of(const Slot& slot, const Stretch& stretch, std::size_t at) {
-    const D d;
-    const Bits bits;
-    ++counts_.surface_tests;
-    add_events(d, scene_, line_, cells_.axis_bounds, slot, departures_, at, events_);
-    if (is_plane(slot.kind)) events_.second[at] = hn::Inf(d);
-    const V first = events_.first[at];
-    const V second = events_.second[at];
-    const auto within = [&](V event) { return hn::And(hn::Ge(event, stretch.from), hn::Le(event, stretch.to)); };
-    const U bit = hn::Set(bits, std::uint64_t{1} << at);
-    const M before = hn::RebindMask(d, hn::Ne(hn::And(events_.before, bit), hn::Zero(bits)));
-    return {hn::Or(within(first), within(second)),
-            hn::Xor(before, hn::Xor(hn::Lt(first, stretch.from), hn::Lt(second, stretch.from)))};
-  }
-
-  /// Forgets events that were computed from some place on.
-  HWY_INLINE void forget_events(std::size_t from, std::size_t to) {
-    const std::uint64_t kept = ~((std::uint64_t{1} << to) - (std::uint64_t{1} << from));
-    events_.before = hn::And(events_.before, hn::Set(Bits(), kept));
-  }
-
-  /// A conjunction of one surface. Returns how many slots there are then.
-  HWY_INLINE std::size_t add_simple(const BoxTree& tree, const Conjunction& conjunction, const Stretch& stretch,
-                                    std::size_t count) {
-    const BoxedSide& side = tree.sides[conjunction.first];
-    if (side.is_shared) return add_conjunction(tree, conjunction, stretch, count);
-    const Course course = course_of(cells_.slots[side.slot], stretch, count);
-    const M holds = side.wants_positive ? course.positive : hn::Not(course.positive);
-    // Whether some lane meets it is hard to foresee: packets go on without a branch.
-    const bool matters = !hn::AllFalse(D(), hn::And(stretch.lanes, hn::Or(course.meets, holds)));
-    if (hn::is_single<D> && !matters) {
-      forget_events(count, count + 1);
-      return count;
-    }
-    const std::uint64_t bit = std::uint64_t{matters} << count;
-    forget_events(count + matters, count + 1);
-    gathered_.slots[count] = side.slot;
-    gathered_.united |= conjunction.is_subtracted ? 0 : bit;
-    gathered_.subtracted |= conjunction.is_subtracted ? bit : 0;
-    gathered_.flipped |= side.wants_positive ? 0 : bit;
-    return count + matters;
-  }
-
-  /// One of several surfaces: those matter that the lanes cross on the stretch, unless they are on the wrong side of
-  /// another all along.
-  HWY_INLINE std::size_t add_conjunction(const BoxTree& tree, const Conjunction& conjunction, const Stretch& stretch,
-                                         std::size_t count) {
-    const D d;
-    const std::size_t before = count;
-    Gathered::Part part{0, 0, conjunction.is_subtracted};
-    for (std::size_t i = 0; i < conjunction.count; ++i) {
-      const BoxedSide& side = tree.sides[conjunction.first + i];
-      const std::size_t at = side.is_shared ? gathered_.place_of(side.slot, count) : count;
-      if (at == count) {
-        const Course course = course_of(cells_.slots[side.slot], stretch, at);
-        if (hn::AllFalse(d, hn::And(stretch.lanes, course.meets))) {
-          const M holds = side.wants_positive ? course.positive : hn::Not(course.positive);
-          if (hn::AllFalse(d, hn::And(stretch.lanes, holds))) {
-            forget_events(before, at + 1);
-            return before;
-          }
-          if (hn::AllFalse(d, hn::AndNot(holds, stretch.lanes))) {
-            forget_events(at, at + 1);
-            continue;
-          }
-        }
-        gathered_.slots[count++] = side.slot;
-      }
-      const std::uint64_t bit = std::uint64_t{1} << at;
-      part.mask |= bit;
-      if (side.wants_positive) part.want |= bit;
-    }
-    gathered_.parts[gathered_.part_count++] = part;
-    return count;
   }
 
   HWY_INLINE std::uint32_t slot_of(const Cell& cell, std::size_t i) const {
@@ -250,16 +127,6 @@ class Walk {
     return hn::RebindMask(D(), value);
   }
   static HWY_INLINE bool is_gathered(const Cell& cell) { return uses_boxes && cell.step_count == gathered_cell; }
-
-  HWY_INLINE void clip(V& from, V& to) const {
-    const D d;
-    for (unsigned axis = 0; axis < 3; ++axis) {
-      const V low = tau_at(d, line_, axis, cells_.box.lower[axis]);
-      const V high = tau_at(d, line_, axis, cells_.box.upper[axis]);
-      from = hn::Max(from, hn::Min(low, high));
-      to = hn::Min(to, hn::Max(low, high));
-    }
-  }
 
   HWY_INLINE void flag(M lanes) {
     if constexpr (!certified) return;
@@ -354,7 +221,7 @@ class Walk {
   /// What the lanes meet in a cell whose events are known.
   HWY_INLINE void look_into(const Cell& cell, V from, V to, M active, M starting) {
     const D d;
-    known_crossings_ = 0;
+    crossings_.known = 0;
     if constexpr (certified) {
       flag(hn::And(active, events_.flagged));
       if (cell.may_have_twins) flag(hn::And(active, twins(d, events_, cell, from, to)));
@@ -434,20 +301,12 @@ class Walk {
     const U high = hn::Xor(flips, low);
     const U later = state_at(cell, hn::Add(next, hn::Add(events_.slack, events_.slack)));
     const M is_pair = hn::And(has_one_bit(d, high), hn::RebindMask(d, hn::Eq(later, after)));
-    const M before_value = now_inside_;
-    const M after_value = value_of(cell, after);
-    const M low_value = value_of(cell, hn::Xor(state, low));
-    const M high_value = value_of(cell, hn::Xor(state, high));
-    const M low_changes = hn::Xor(before_value, low_value);
-    const M high_changes = hn::Xor(before_value, high_value);
-    const M changes = hn::Xor(before_value, after_value);
-    const M none = hn::AndNot(changes, hn::Not(hn::Or(low_changes, high_changes)));
-    const M by_low = hn::And(changes, hn::AndNot(high_changes, low_changes));
-    const M by_high = hn::And(changes, hn::AndNot(low_changes, high_changes));
-    const M settled = hn::And(is_pair, hn::Or(none, hn::Or(by_low, by_high)));
+    const Order<D> order = order_of_two(d, now_inside_, value_of(cell, after), value_of(cell, hn::Xor(state, low)),
+                                        value_of(cell, hn::Xor(state, high)));
+    const M settled = hn::And(is_pair, order.does_not_matter);
     flag(hn::AndNot(settled, several));
     const auto in_bits = [&](M lanes) { return hn::RebindMask(bits, hn::And(several, lanes)); };
-    flips = hn::IfThenElse(in_bits(by_low), low, hn::IfThenElse(in_bits(by_high), high, flips));
+    flips = hn::IfThenElse(in_bits(order.by_first), low, hn::IfThenElse(in_bits(order.by_second), high, flips));
   }
 
   HWY_INLINE void record(const Cell& cell, M changes, U flips, U after) {
@@ -464,28 +323,7 @@ class Walk {
   }
 
   HWY_INLINE U slots_of(const Cell& cell, U index) const {
-    const Bits bits;
-    if (!is_gathered(cell)) return hn::Add(hn::Set(bits, cell.first_slot), index);
-    HWY_ALIGN std::uint64_t slots[16];
-    hn::Store(index, bits, slots);
-    for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane) {
-      // Of lanes that found nothing the index means nothing.
-      slots[lane] = gathered_.slots[slots[lane] < Cell::most_slots ? slots[lane] : 0];
-    }
-    return hn::Load(bits, slots);
-  }
-
-  /// crossing_tau: both crossings of a quadric are computed at once, as both are likely to be wanted.
-  HWY_INLINE V end_tau(const Cell& cell, const Surface& surface, std::uint64_t i, M own, M rises, M& second,
-                       M& is_open) {
-    const D d;
-    if (!is_gathered(cell) || surface.kind == SurfaceKind::plane || !hn::AllFalse(d, own))
-      return crossing_tau(d, line_, surface, own, rises, second, is_open);
-    if (((known_crossings_ >> i) & 1) == 0) {
-      crossings_[i] = crossings_of(d, quadratic(d, line_, surface), line_, surface);
-      known_crossings_ |= std::uint64_t{1} << i;
-    }
-    return crossing_tau(d, crossings_[i], surface, rises, second, is_open);
+    return is_gathered(cell) ? gathered_slots(D(), gathered_, index) : hn::Add(hn::Set(Bits(), cell.first_slot), index);
   }
 
   void append(const Cell& cell, M changes, U index, M rises, M enters) {
@@ -506,7 +344,9 @@ class Walk {
       M second, is_open;
       const Surface& surface = scene_.surfaces()[id];
       const M own_surface = own_lanes(d, departures_, id);
-      const V tau = end_tau(cell, surface, i, own_surface, rises, second, is_open);
+      const bool keeps = is_gathered(cell);  // both ends of what was gathered are likely to be wanted
+      const V tau = keeps ? crossings_.tau(d, line_, surface, i, own_surface, rises, second, is_open)
+                          : crossing_tau(d, line_, surface, own_surface, rises, second, is_open);
       flag(hn::And(same, is_open));
       V own = hn::Mul(hn::Add(line_.shift, tau), line_.unit);
       if (rounds_) {
@@ -543,9 +383,7 @@ class Walk {
   EndLog<D>* ends_;
   PacketCounts& counts_;
   Events<D> events_;
-  Crossings<D> crossings_[Cell::most_slots];  // of the surfaces of the cell that are known
-  std::uint64_t known_crossings_ = 0;
-  Met met_;
+  CellCrossings<D> crossings_;
   Gathered gathered_;
   M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_, unrounded_, covered_lanes_;
   V covered_;

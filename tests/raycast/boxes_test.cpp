@@ -144,8 +144,8 @@ TEST_CASE("lines that meet too many boxes go through cells") {
 TEST_CASE("boxes are kept where they pay only") {
   RandomSolids random(25);
   const auto boxed = [](const Solid& solid) { return Cells(compile(solid)).counts().boxed; };
-  CHECK(boxed(unite(crumbs(random, 5, 0.1))) == 0);            // too few
-  CHECK(boxed(unite(crumbs(random, 60, 0.9))) == 0);           // a line meets most of them
-  CHECK(boxed(complement(unite(crumbs(random, 60, 0.1)))) == 0);  // unbounded
+  CHECK(boxed(unite(crumbs(random, 5, 0.1))) == 0);                                    // too few
+  CHECK(boxed(unite(crumbs(random, 60, 0.9))) == 0);                                   // a line meets most of them
+  CHECK(boxed(complement(unite(crumbs(random, 60, 0.1)))) == 0);                       // unbounded
   CHECK(boxed(unite(crumbs(random, 60, 0.1)) & unite(crumbs(random, 60, 0.1))) == 0);  // not a union less others
 }
