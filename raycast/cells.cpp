@@ -14,8 +14,9 @@ namespace {
 detail::CellData cells_of(const Scene& scene, NodeId node) {
   detail::CellGround ground(scene, node);
   detail::lane_codes();  // finds out once what the machine has, which takes as long as thousands of rays
-  detail::CellData data = detail::CellBuilder(ground, scene.leaves().size()).build(node);
-  detail::add_box_tree(ground, node, data);
+  const detail::Formula whole = detail::formula_of(scene, node);
+  detail::CellData data = detail::CellBuilder(ground, scene.leaves().size()).build(node, whole);
+  detail::add_box_tree(ground, whole, data);
   return data;
 }
 

@@ -49,11 +49,6 @@ struct FloatBox {
 // Beyond every coordinate, with a lower side above the upper one.
 constexpr FloatBox nothing{{1000, 1000, 1000}, {-1000, -1000, -1000}};
 
-double area(const CellBox& box) {
-  const Vector s = box.upper - box.lower;
-  return s.x * s.y + s.y * s.z + s.z * s.x;
-}
-
 double cost_of_test(LaneSurface::Kind kind) {
   return kind < LaneSurface::Kind::plane ? cost_of_axis_plane
          : is_plane(kind)                ? cost_of_plane
@@ -69,43 +64,59 @@ struct Item {
   float middle(std::size_t axis) const { return box.lower[axis] + box.upper[axis]; }
 };
 
-// Moves the conjunctions over in the given order, and gives each of their surfaces its slot.
-void add_conjunctions(const CellGround& ground, const Conjunctions& read, const BoxTree& from,
-                      std::span<const Item> order, CellData& data) {
-  constexpr std::uint32_t none = 0xffffffffu;
+// Whose faces a surface makes.
+struct Owner {
+  LeafId leaf;  // not valid if there are more
+  LookId look;  // not valid if it depends
+  bool is_known = false;
+};
+
+// By surface. Conjunctions that hold nothing count: flipped in one of their leaves alone, the surface may make a face.
+std::vector<Owner> owners_of(const CellGround& ground, const Conjunctions& all) {
   const Scene& scene = ground.scene;
-  const auto& owners = read.owners();
-  BoxTree& tree = data.boxes;
-  const bool one_region = std::all_of(owners.begin(), owners.end(), [&](const auto& owner) {
-    return scene.leaf(owner.leaf).region == scene.leaf(owners.front().leaf).region;
+  const auto region_of = [&](const Conjunctions::Side& side) { return scene.leaf(side.leaf).region; };
+  const bool one_region = std::all_of(all.sides.begin(), all.sides.end(), [&](const auto& side) {
+    return region_of(side) == region_of(all.sides.front());
   });
-  std::vector<std::uint32_t> first_side(scene.surfaces().size(), none);  // that has the surface
-  const auto add_side = [&](std::uint32_t old) {
-    const SurfaceId surface = owners[old].surface;
-    const LeafId leaf = owners[old].is_one ? owners[old].leaf : LeafId();
+  std::vector<Owner> owners(scene.surfaces().size());
+  for (const Conjunctions::Side& side : all.sides) {
+    const LeafId leaf = side.is_one ? side.leaf : LeafId();
     const LookId look = leaf.valid() ? ground.look_of(scene.leaf(leaf), one_region) : LookId();
-    BoxedSide side = from.sides[old];
-    std::uint32_t& first = first_side[surface.index()];
-    if (first == none) {
-      first = static_cast<std::uint32_t>(tree.sides.size());
+    Owner& owner = owners[side.surface.index()];
+    if (!owner.is_known) owner = {leaf, look, true};
+    if (owner.leaf != leaf) owner.leaf = LeafId();
+    if (owner.look != look) owner.look = LookId();
+  }
+  return owners;
+}
+
+// Adds the conjunctions in the given order, and gives each of their surfaces its slot.
+void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::span<const Item> order, CellData& data) {
+  constexpr std::uint32_t none = 0xffffffffu;
+  BoxTree& tree = data.boxes;
+  const std::vector<Owner> owners = owners_of(ground, all);
+  std::vector<std::uint32_t> first_side(owners.size(), none);  // that has the surface
+  const auto add_side = [&](const Conjunctions::Side& from) {
+    const std::size_t surface = from.surface.index();
+    BoxedSide side{0, from.wants_positive, false};
+    if (first_side[surface] == none) {
+      first_side[surface] = static_cast<std::uint32_t>(tree.sides.size());
       side.slot = static_cast<std::uint32_t>(data.slots.size());
-      const LaneSurface& shape = ground.surfaces[surface.index()];
-      data.slots.emplace_back(shape, surface, leaf, look);
+      const LaneSurface& shape = ground.surfaces[surface];
+      data.slots.emplace_back(shape, from.surface, owners[surface].leaf, owners[surface].look);
       if (is_round(shape.kind)) tree.slack = round_slack;
       if (may_have_twins(shape)) tree.may_have_twins = true;
     } else {
-      side.slot = tree.sides[first].slot;
-      side.is_shared = tree.sides[first].is_shared = true;
-      Slot& shared = data.slots[side.slot];
-      if (shared.leaf != leaf.index()) shared.leaf = LeafId().index();
-      if (shared.look != look.index()) shared.look = LookId().index();
+      BoxedSide& first = tree.sides[first_side[surface]];
+      side.slot = first.slot;
+      side.is_shared = first.is_shared = true;
     }
     tree.sides.push_back(side);
   };
   for (const Item& item : order) {
-    const Conjunction& old = from.conjunctions[item.index];
-    tree.conjunctions.push_back({static_cast<std::uint32_t>(tree.sides.size()), old.count, old.is_subtracted});
-    for (std::uint32_t side = 0; side < old.count; ++side) add_side(old.first + side);
+    const Conjunctions::Part& part = all.parts[item.index];
+    tree.conjunctions.push_back({static_cast<std::uint32_t>(tree.sides.size()), part.count, part.is_subtracted});
+    for (const Conjunctions::Side& side : std::span(all.sides).subspan(part.first, part.count)) add_side(side);
   }
 }
 
@@ -260,15 +271,15 @@ std::optional<FloatBox> widened(const CellBox& box) {
 }
 
 // Cauchy: of the lines through a convex body those that meet one in it are as many as their areas say.
-double cost_of_tests(const CellGround& ground, const Conjunctions& read, const BoxTree& tree, const CellBox& everything,
+double cost_of_tests(const CellGround& ground, const Conjunctions& all, const CellBox& everything,
                      std::span<const Item> items) {
   double cost = 0;
   for (const Item& item : items) {
-    const Conjunction& conjunction = tree.conjunctions[item.index];
-    double own = conjunction.count > 1 ? 4 * cost_of_event : 2 * cost_of_event;
-    for (std::uint32_t side = 0; side < conjunction.count; ++side)
-      own += cost_of_test(ground.surfaces[read.owners()[conjunction.first + side].surface.index()].kind);
-    cost += own * area(read.boxes()[item.index]) / area(everything);
+    const Conjunctions::Part& part = all.parts[item.index];
+    double own = part.count > 1 ? 4 * cost_of_event : 2 * cost_of_event;
+    for (const Conjunctions::Side& side : std::span(all.sides).subspan(part.first, part.count))
+      own += cost_of_test(ground.surfaces[side.surface.index()].kind);
+    cost += own * area(part.box) / area(everything);
   }
   return cost;
 }
@@ -288,20 +299,18 @@ double cost_of_nodes(std::span<const BoxNode> nodes, const CellBox& everything) 
 
 }  // namespace
 
-void add_box_tree(const CellGround& ground, NodeId node, CellData& data) {
+void add_box_tree(const CellGround& ground, const Formula& whole, CellData& data) {
   if (data.is_empty || data.reaches_beyond || ground.scene.leaves().size() < fewest_conjunctions) return;
-  Conjunctions read(ground, inflated(data.box));
-  BoxTree tree;
-  const Formula whole = formula_of(ground.scene, node);
-  if (!read.read(whole, tree) || tree.conjunctions.size() < fewest_conjunctions) return;
+  const std::optional<Conjunctions> all = conjunctions_of(ground, whole, inflated(data.box));
+  if (!all || all->parts.size() < fewest_conjunctions) return;
   std::vector<Item> items;
-  for (std::size_t i = 0; i < tree.conjunctions.size(); ++i) {
-    const std::optional<FloatBox> box = widened(read.boxes()[i]);
+  for (std::size_t i = 0; i < all->parts.size(); ++i) {
+    const std::optional<FloatBox> box = widened(all->parts[i].box);
     if (box) items.push_back({*box, static_cast<std::uint32_t>(i)});
   }
   if (items.empty()) return;
   const double most = data.cost / least_gain;
-  double cost = cost_of_tests(ground, read, tree, data.box, items);
+  double cost = cost_of_tests(ground, *all, data.box, items);
   if (cost > most) return;
   std::vector<BoxNode> nodes;
   Hierarchy hierarchy(std::move(items), nodes);
@@ -309,7 +318,7 @@ void add_box_tree(const CellGround& ground, NodeId node, CellData& data) {
   cost += cost_of_nodes(nodes, data.box);
   if (cost > most) return;
   data.boxes.nodes = std::move(nodes);
-  add_conjunctions(ground, read, tree, hierarchy.order(), data);
+  add_conjunctions(ground, *all, hierarchy.order(), data);
 }
 
 }  // namespace csgcast::detail

@@ -34,11 +34,6 @@ constexpr AxisBounds turned_bounds{0x1p-43, 0x1p-41, 0x1p-10, 0x1p-38};
 constexpr double cost_of_node = 1.0;
 constexpr double cost_of_constant = 0.3;
 
-double area(const CellBox& box) {
-  const Vector s = box.upper - box.lower;
-  return s.x * s.y + s.y * s.z + s.z * s.x;
-}
-
 CellBox below(CellBox box, std::size_t axis, double at) {
   box.upper[axis] = at;
   return box;
@@ -67,8 +62,7 @@ CellBuilder::CellBuilder(const CellGround& ground, std::size_t leaves)
   data_.cells[1].value = true;
 }
 
-CellData CellBuilder::build(NodeId node) {
-  const Formula whole = formula_of(scene_, node);
+CellData CellBuilder::build(NodeId node, const Formula& whole) {
   data_.box = ground_.box;
   data_.reaches_beyond = !ground_.is_bounded;
   data_.is_empty = scene_.node(node).box.is_null() || (whole.is_constant() && !whole.value);
@@ -86,14 +80,12 @@ CellData CellBuilder::build(NodeId node) {
     data_.reaches_beyond = false;
     return std::move(data_);
   }
-  if (!data_.reaches_beyond) {
-    const Box& world = scene_.node(node).box;  // has a margin of 2^-30 of its coordinates
-    data_.middle = world.lower + 0.5 * (world.upper - world.lower);
-    data_.half_size = 0.5 * (world.upper - world.lower);
-  }
   if (data_.reaches_beyond) {
     build_outside(whole);
   } else {
+    const Box& world = scene_.node(node).box;  // has a margin of 2^-30 of its coordinates
+    data_.half_size = 0.5 * (world.upper - world.lower);
+    data_.middle = world.lower + data_.half_size;
     Formula formula;
     fold(whole, data_.box, formula);
     data_.cost = build(formula, data_.box, 0, most_hopes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -26,13 +27,20 @@ inline bool apart(const CellBox& a, const CellBox& b) {
   return false;
 }
 
+/// A side that is not a number, of what is unbounded along turned axes, cuts nothing off.
 inline CellBox intersection(const CellBox& a, const CellBox& b) {
   CellBox result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    result.lower[axis] = a.lower[axis] > b.lower[axis] ? a.lower[axis] : b.lower[axis];
-    result.upper[axis] = a.upper[axis] < b.upper[axis] ? a.upper[axis] : b.upper[axis];
+    result.lower[axis] = std::fmax(a.lower[axis], b.lower[axis]);
+    result.upper[axis] = std::fmin(a.upper[axis], b.upper[axis]);
   }
   return result;
+}
+
+/// Half the surface of a box.
+inline double area(const CellBox& box) {
+  const Vector s = box.upper - box.lower;
+  return s.x * s.y + s.y * s.z + s.z * s.x;
 }
 
 /// What is known of a scene before its space is cut: read by all who build its cells.
@@ -69,8 +77,8 @@ class CellBuilder {
  public:
   CellBuilder(const CellGround& ground, std::size_t leaves);
 
-  /// The cells of the node, as if it were cut by one builder, without the surfaces.
-  CellData build(NodeId node);
+  /// The cells of the node, as if it were cut by one builder. `whole`: its formula.
+  CellData build(NodeId node, const Formula& whole);
 
   /// How far beside a face a split is clear of it: more than what cells and the boxes of leaves are widened by.
   static constexpr double beside = 0x1p-26;

@@ -3,10 +3,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace csgcast::detail {
+namespace {
 
-bool Conjunctions::read(const Formula& formula, BoxTree& tree) {
+// An operator whose operands are being read.
+struct Open {
+  std::size_t end;
+  Term::Op op;
+  bool is_top;  // nothing but differences above, whose first operand it is
+  bool is_subtracted;
+  bool has_first;
+};
+
+// Adds a leaf to the last conjunction; false if lanes cannot take that.
+bool add_leaf(const CellGround& ground, std::span<const Term> leaf, Conjunctions& result) {
+  const LeafId id(leaf.front().what);
+  Conjunctions::Part& part = result.parts.back();
+  part.box = intersection(part.box, ground.leaf_boxes[id.index()]);
+  for (const Term& term : leaf.subspan(1)) {
+    if (ground.surfaces[term.surface().index()].kind == LaneSurface::Kind::undecided) return false;
+    const auto own = std::span(result.sides).subspan(part.first);
+    const auto same =
+        std::find_if(own.begin(), own.end(), [&](const auto& side) { return side.surface == term.surface(); });
+    if (same != own.end()) {
+      // Of both sides there is nothing, but for a face without a thickness.
+      if (same->wants_positive != term.wants_positive()) part.box.upper.x = -HUGE_VAL;
+      same->is_one = same->is_one && same->leaf == id;
+      continue;
+    }
+    result.sides.push_back({term.surface(), id, term.wants_positive(), true});
+    if (++part.count > Cell::most_slots) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Conjunctions> conjunctions_of(const CellGround& ground, const Formula& formula,
+                                            const CellBox& everything) {
+  Conjunctions result;
   std::vector<Open> open;
   bool joins = false;
   for (std::size_t i = 0; i < formula.terms.size();) {
@@ -24,8 +61,10 @@ bool Conjunctions::read(const Formula& formula, BoxTree& tree) {
       own.is_subtracted = above.is_subtracted || (above.op == Term::Op::subtract && !is_first);
     }
     if (term.op == Term::Op::leaf) {
-      if (!add_leaf(std::span(formula.terms).subspan(i, term.size), joins && in_intersection, own.is_subtracted, tree))
-        return false;
+      if (!joins || !in_intersection) {
+        result.parts.push_back({everything, static_cast<std::uint32_t>(result.sides.size()), 0, own.is_subtracted});
+      }
+      if (!add_leaf(ground, std::span(formula.terms).subspan(i, term.size), result)) return std::nullopt;
       joins = true;
       i += term.size;
       continue;
@@ -33,43 +72,13 @@ bool Conjunctions::read(const Formula& formula, BoxTree& tree) {
     const bool fits = term.op == Term::Op::unite      ? !in_intersection
                       : term.op == Term::Op::subtract ? own.is_top
                                                       : term.op == Term::Op::intersect;
-    if (!fits) return false;
+    if (!fits) return std::nullopt;
     // One intersection within another goes on with its conjunction.
     if (term.op == Term::Op::intersect && !in_intersection) joins = false;
     open.push_back(own);
     ++i;
   }
-  return true;
-}
-
-bool Conjunctions::add_leaf(std::span<const Term> leaf, bool joins, bool is_subtracted, BoxTree& tree) {
-  const LeafId id(leaf.front().what);
-  CellBox box = intersection(ground_.leaf_boxes[id.index()], everything_);
-  if (joins) {
-    box = intersection(box, boxes_.back());
-  } else {
-    tree.conjunctions.push_back({static_cast<std::uint32_t>(tree.sides.size()), 0, is_subtracted});
-    boxes_.emplace_back();
-  }
-  boxes_.back() = box;
-  if (tree.conjunctions.back().count + leaf.size() - 1 > Cell::most_slots) return false;
-  for (const Term& side : leaf.subspan(1)) {
-    if (ground_.surfaces[side.surface().index()].kind == LaneSurface::Kind::undecided) return false;
-    const auto begin = owners_.begin() + tree.conjunctions.back().first;
-    const auto same =
-        std::find_if(begin, owners_.end(), [&](const auto& own) { return own.surface == side.surface(); });
-    if (same != owners_.end()) {
-      // Of both sides there is nothing, but for a face without a thickness.
-      const auto at = static_cast<std::size_t>(same - owners_.begin());
-      if (tree.sides[at].wants_positive != side.wants_positive()) boxes_.back().upper.x = -HUGE_VAL;
-      same->is_one = same->is_one && same->leaf == id;
-      continue;
-    }
-    tree.sides.push_back({0, side.wants_positive(), false});
-    owners_.push_back({side.surface(), id});
-    ++tree.conjunctions.back().count;
-  }
-  return true;
+  return result;
 }
 
 }  // namespace csgcast::detail

@@ -1,44 +1,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "raycast/detail/cell_builder.h"
 
 namespace csgcast::detail {
 
-/// Takes a formula apart into a union of conjunctions less others.
-class Conjunctions {
- public:
-  Conjunctions(const CellGround& ground, const CellBox& everything) : ground_(ground), everything_(everything) {}
-
-  /// False if the formula is not like that.
-  bool read(const Formula& formula, BoxTree& tree);
-  const std::vector<CellBox>& boxes() const { return boxes_; }
-  // By side.
-  struct Owner {
+/// A formula as a union of conjunctions less others.
+struct Conjunctions {
+  struct Side {
     SurfaceId surface;
     LeafId leaf;
-    bool is_one = true;  // no other leaf of the conjunction has the surface
+    bool wants_positive = false;
+    bool is_one = true;  ///< no other leaf of the conjunction has the surface
   };
-  const std::vector<Owner>& owners() const { return owners_; }
-
- private:
-  struct Open {
-    std::size_t end;
-    Term::Op op;
-    bool is_top;  // nothing but differences above, whose first operand it is
-    bool is_subtracted;
-    bool has_first;
+  /// Sides [first, first + count).
+  struct Part {
+    CellBox box;  ///< holds it; with a lower side above the upper one if there is nothing of it
+    std::uint32_t first = 0;
+    std::uint16_t count = 0;
+    bool is_subtracted = false;
   };
 
-  bool add_leaf(std::span<const Term> leaf, bool joins, bool is_subtracted, BoxTree& tree);
-
-  const CellGround& ground_;
-  CellBox everything_;
-  std::vector<CellBox> boxes_;
-  std::vector<Owner> owners_;
+  std::vector<Part> parts;
+  std::vector<Side> sides;
 };
+
+/// Nothing if the formula is not like that, or has a surface that lanes cannot compute. What lies outside `everything`
+/// does not matter.
+std::optional<Conjunctions> conjunctions_of(const CellGround& ground, const Formula& formula,
+                                            const CellBox& everything);
 
 }  // namespace csgcast::detail

@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
-namespace boxes = hwy::HWY_NAMESPACE;
+namespace hh = hn::hh;
 
 /// What holds all lines of some lanes: where they are near the frame's center, the inverses of their directions, and
 /// where they start and end. Rounded outward; their directions have one sign on each axis.
@@ -30,7 +30,7 @@ HWY_INLINE double least_of(D d, hn::Mask<D> lanes, hn::Vec<D> v) {
   if constexpr (hn::is_single<D>) {
     return v;
   } else {
-    return boxes::GetLane(boxes::MinOfLanes(d, hn::IfThenElse(lanes, v, hn::Inf(d))));
+    return hh::GetLane(hh::MinOfLanes(d, hn::IfThenElse(lanes, v, hn::Inf(d))));
   }
 }
 
@@ -39,7 +39,7 @@ HWY_INLINE double greatest_of(D d, hn::Mask<D> lanes, hn::Vec<D> v) {
   if constexpr (hn::is_single<D>) {
     return v;
   } else {
-    return boxes::GetLane(boxes::MaxOfLanes(d, hn::IfThenElse(lanes, v, hn::Neg(hn::Inf(d)))));
+    return hh::GetLane(hh::MaxOfLanes(d, hn::IfThenElse(lanes, v, hn::Neg(hn::Inf(d)))));
   }
 }
 
@@ -82,35 +82,35 @@ struct Met {
 /// 8 from another.
 template <bool is_single>
 HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met) {
-  const boxes::CappedTag<float, BoxNode::width> d;
-  const boxes::RebindToUnsigned<decltype(d)> ids;
-  using V = boxes::Vec<decltype(d)>;
-  for (std::size_t first = 0; first < BoxNode::width; first += boxes::Lanes(d)) {
-    V enters = boxes::Set(d, beam.from);
-    V leaves = boxes::Set(d, beam.to);
+  const hh::CappedTag<float, BoxNode::width> d;
+  const hh::RebindToUnsigned<decltype(d)> ids;
+  using V = hh::Vec<decltype(d)>;
+  for (std::size_t first = 0; first < BoxNode::width; first += hh::Lanes(d)) {
+    V enters = hh::Set(d, beam.from);
+    V leaves = hh::Set(d, beam.to);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const bool falls = ((beam.falls >> axis) & 1) != 0;
-      const V lower = boxes::Load(d, node.lower[axis] + first);
-      const V upper = boxes::Load(d, node.upper[axis] + first);
-      const V front = boxes::Sub(falls ? upper : lower, boxes::Set(d, beam.front[axis]));
-      const V back = boxes::Sub(falls ? lower : upper, boxes::Set(d, beam.back[axis]));
-      const V low = boxes::Set(d, beam.inverse_low[axis]);
+      const V lower = hh::Load(d, node.lower[axis] + first);
+      const V upper = hh::Load(d, node.upper[axis] + first);
+      const V front = hh::Sub(falls ? upper : lower, hh::Set(d, beam.front[axis]));
+      const V back = hh::Sub(falls ? lower : upper, hh::Set(d, beam.back[axis]));
+      const V low = hh::Set(d, beam.inverse_low[axis]);
       if constexpr (is_single) {
-        enters = boxes::Max(enters, boxes::Mul(front, low));
-        leaves = boxes::Min(leaves, boxes::Mul(back, low));
+        enters = hh::Max(enters, hh::Mul(front, low));
+        leaves = hh::Min(leaves, hh::Mul(back, low));
       } else {
-        const V high = boxes::Set(d, beam.inverse_high[axis]);
-        enters = boxes::Max(enters, boxes::Min(boxes::Mul(front, low), boxes::Mul(front, high)));
-        leaves = boxes::Min(leaves, boxes::Max(boxes::Mul(back, low), boxes::Mul(back, high)));
+        const V high = hh::Set(d, beam.inverse_high[axis]);
+        enters = hh::Max(enters, hh::Min(hh::Mul(front, low), hh::Mul(front, high)));
+        leaves = hh::Min(leaves, hh::Max(hh::Mul(back, low), hh::Mul(back, high)));
       }
     }
     // Which boxes are met, and what is in them, nobody could foresee: no branches.
-    const auto child = boxes::Load(ids, node.child + first);
-    const auto is_met = boxes::RebindMask(ids, boxes::Le(enters, leaves));
-    const auto is_node = boxes::Lt(child, boxes::Set(ids, BoxNode::conjunction));
-    met.node_count += boxes::CompressStore(child, boxes::And(is_met, is_node), ids, met.nodes + met.node_count);
+    const auto child = hh::Load(ids, node.child + first);
+    const auto is_met = hh::RebindMask(ids, hh::Le(enters, leaves));
+    const auto is_node = hh::Lt(child, hh::Set(ids, BoxNode::conjunction));
+    met.node_count += hh::CompressStore(child, hh::And(is_met, is_node), ids, met.nodes + met.node_count);
     met.conjunction_count +=
-        boxes::CompressStore(child, boxes::AndNot(is_node, is_met), ids, met.conjunctions + met.conjunction_count);
+        hh::CompressStore(child, hh::AndNot(is_node, is_met), ids, met.conjunctions + met.conjunction_count);
   }
 }
 
@@ -203,8 +203,8 @@ class Gatherer {
   }
 
  private:
-  /// The events of the surfaces of all conjunctions that were gathered, but for those that the lanes miss: how
-  /// many; nothing if they are too many.
+  /// The events of the surfaces of all conjunctions that were gathered, but for those that the lanes miss: how many
+  /// surfaces; nothing if too many.
   HWY_INLINE std::optional<std::size_t> gather_events(V from, V to, M lanes) {
     const D d;
     const BoxTree& tree = cells_.boxes;
@@ -253,7 +253,7 @@ class Gatherer {
             hn::Xor(before, hn::Xor(hn::Lt(first, stretch.from), hn::Lt(second, stretch.from)))};
   }
 
-  /// Forgets events that were computed from some place on.
+  /// Forgets the events in places [from, to).
   HWY_INLINE void forget_events(std::size_t from, std::size_t to) {
     const std::uint64_t kept = ~((std::uint64_t{1} << to) - (std::uint64_t{1} << from));
     events_.before = hn::And(events_.before, hn::Set(Bits(), kept));
@@ -323,17 +323,6 @@ class Gatherer {
   PacketCounts& counts_;
   Met met_;
 };
-
-/// The slots of some surfaces that were gathered. Of lanes that found nothing the index means nothing.
-template <class D>
-HWY_INLINE hn::Vec<BitsOf<D>> gathered_slots(D, const Gathered& gathered, hn::Vec<BitsOf<D>> index) {
-  const BitsOf<D> bits;
-  HWY_ALIGN std::uint64_t slots[16];
-  hn::Store(index, bits, slots);
-  for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane)
-    slots[lane] = gathered.slots[slots[lane] < Cell::most_slots ? slots[lane] : 0];
-  return hn::Load(bits, slots);
-}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace csgcast::detail

@@ -175,11 +175,10 @@ HWY_INLINE hn::Mask<D> passes_by(D d, const CellData& cells, const Triples<hn::V
 
 /// The line in its frame, as LineFrame makes it.
 template <class D>
-HWY_INLINE void set_line(D d, const Frame& frame, const CellData& cells, const RayArrays& rays, std::size_t first,
-                         std::size_t count, LineLanes<D>& line) {
+HWY_INLINE void set_line(D d, const Frame& frame, const CellData& cells, const Triples<hn::Vec<D>>& origin,
+                         const Triples<hn::Vec<D>>& v, LineLanes<D>& line) {
   using V = hn::Vec<D>;
   const BitsOf<D> bits;
-  const Triples<V> v = load_lanes(d, rays.direction, first, count);
   const auto exponent = biased_exponent(d, longest(v));
   const V scale = power_of_biased(d, hn::Sub(hn::Set(bits, 2046u), exponent));
   const V back = power_of_biased(d, exponent);
@@ -193,7 +192,7 @@ HWY_INLINE void set_line(D d, const Frame& frame, const CellData& cells, const R
     line.direction_squared = dot(line.direction, line.direction);
     line.inverse_squared = hn::Div(hn::Set(d, 1.0), line.direction_squared);
   }
-  set_near(d, frame, load_lanes(d, rays.origin, first, count), line);
+  set_near(d, frame, origin, line);
 }
 
 /// tau at which the line passes a place on an axis of the cells.

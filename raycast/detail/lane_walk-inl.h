@@ -14,7 +14,7 @@ namespace HWY_NAMESPACE {
 
 enum class Wanted : std::uint8_t { first, any, all };
 
-/// One packet's way through the cells. A lane is live until its answer is known; what happens to it is in `fate`.
+/// One packet's way through the cells. A lane is live until its answer is known or left to the caster.
 template <class D, Wanted wanted>
 class Walk {
  public:
@@ -55,13 +55,13 @@ class Walk {
     }
     M waiting = hn::And(live_, hn::Le(from, to));
     if constexpr (hn::is_single<D>) {
-      if (waiting) go(from, to, waiting, signs_of(0));
+      if (waiting) go(from, to, waiting, falling_axes(d, line_, 0));
       return;
     }
     // Lanes of one direction's signs at a time: these share the order of the cells.
     while (!hn::AllFalse(d, waiting)) {
       const std::size_t leader = static_cast<std::size_t>(hn::FindFirstTrue(d, waiting));
-      const unsigned signs = signs_of(leader);
+      const unsigned signs = falling_axes(d, line_, leader);
       M group = waiting;
       for (unsigned axis = 0; axis < 3; ++axis) {
         const M negative = hn::Lt(line_.axis_inverse[axis], hn::Zero(d));
@@ -87,8 +87,6 @@ class Walk {
   M unrounded() const { return unrounded_; }  ///< the lanes with some end whose t lanes could not round
 
  private:
-  HWY_INLINE unsigned signs_of(std::size_t lane) const { return falling_axes(D(), line_, lane); }
-
   /// Lanes of one direction's signs.
   HWY_INLINE void go(V from, V to, M lanes, unsigned signs) {
     if (uses_boxes && !cells_.boxes.nodes.empty() && go_by_boxes(from, to, lanes, signs)) return;
@@ -316,14 +314,10 @@ class Walk {
     const U index = logarithm(D(), flips);
     const M rises = hn::RebindMask(D(), hn::Ne(hn::And(flips, after), hn::Zero(bits)));
     if constexpr (wanted == Wanted::all) return append(cell, changes, index, rises, hn::Not(now_inside_));
-    slot_ = hn::IfThenElse(lanes, slots_of(cell, index), slot_);
+    slot_ = hn::IfThenElse(lanes, hn::Add(hn::Set(bits, cell.first_slot), index), slot_);
     rises_ = hn::Or(rises_, hn::And(changes, rises));
     found_ = hn::Or(found_, changes);
     live_ = hn::AndNot(changes, live_);
-  }
-
-  HWY_INLINE U slots_of(const Cell& cell, U index) const {
-    return is_gathered(cell) ? gathered_slots(D(), gathered_, index) : hn::Add(hn::Set(Bits(), cell.first_slot), index);
   }
 
   void append(const Cell& cell, M changes, U index, M rises, M enters) {

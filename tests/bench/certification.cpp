@@ -18,9 +18,9 @@
 #include "raycast/caster.h"
 #include "raycast/cells.h"
 #include "raycast/detail/lanes.h"
-#include "tests/bench/peers/ray_batch.h"
 #include "tests/bench/rays_across.h"
 #include "tests/bench/uncertified_lanes.h"
+#include "tests/support/ray_batch.h"
 
 namespace csgcast::bench {
 namespace {
@@ -80,7 +80,7 @@ void report(const std::string& file) {
 // What lanes find of some rays, and how long they take for it.
 class LaneRun {
  public:
-  LaneRun(const Cells& cells, const RayBatch& rays)
+  LaneRun(const Cells& cells, const test::RayBatch& rays)
       : cells_(cells),
         rays_(rays.arrays()),
         state_(rays.size()),
@@ -149,7 +149,7 @@ double cost_in_lanes(LaneRun& run, double (LaneRun::*query)(const detail::LaneCo
 void report_lanes(const std::string& file) {
   const Scene scene = compile(text::build(text::read_file(file)).solid, Welding::derived());
   const Cells cells(scene);
-  const RayBatch rays(rays_across(scene.bounded_leaves(), normalised({-0.61, 0.37, -0.29}), side));
+  const test::RayBatch rays(rays_across(scene.bounded_leaves(), normalised({-0.61, 0.37, -0.29}), side));
   LaneRun run(cells, rays);
   fmt::print("{:24} {:10.3f} {:10.3f} {:10.3f}\n", std::filesystem::path(file).stem().string(),
              cost_in_lanes(run, &LaneRun::first_hits), cost_in_lanes(run, &LaneRun::any_hits),

@@ -51,7 +51,7 @@ Engine scalar_engine(Caster& caster, RayQuery query, const CameraRays& rays, Int
   const auto each = [&rays, &caster](const auto& ask) {
     return [&rays, &caster, ask](std::size_t begin) {
       for (std::size_t i = begin; i < begin + CameraRays::block; ++i) {
-        caster.begin(rays.rays[i]);
+        caster.begin(rays.list()[i]);
         ask();
       }
     };

@@ -17,13 +17,13 @@
 #include "tests/support/random_solid.h"
 
 using namespace csgcast;
-using test::Arrays;
 using test::check_lists;
 using test::check_same;
 using test::DepartingRays;
 using test::RandomSolids;
 using test::rays_at;
 using test::same;
+using test::Shots;
 
 namespace {
 
@@ -69,21 +69,21 @@ TEST_CASE("arrays of rays get the scalar caster's answers, however many there ar
     Caster scalar(scene);
     PacketCaster packets(cells);
     const std::vector<Ray> rays = rays_at(random, count);
-    Arrays arrays(rays);
+    Shots shots(rays);
     std::vector<std::uint8_t> any(count);
     IntervalBatch batch;
     for (const Rounding rounding : {Rounding::nearest, Rounding::close}) {
-      packets.first_hits(arrays.rays(), arrays.hits(), rounding);
-      packets.any_hits(arrays.rays(), any.data());
-      packets.intervals(arrays.rays(), batch, rounding);
+      packets.first_hits(shots.rays.arrays(), shots.hits(), rounding);
+      packets.any_hits(shots.rays.arrays(), any.data());
+      packets.intervals(shots.rays.arrays(), batch, rounding);
       REQUIRE(batch.offsets.size() == count + 1);
       for (std::size_t i = 0; i < count; ++i) {
         scalar.begin(rays[i]);
         const std::optional<Hit> hit = scalar.first_hit({}, rounding);
-        REQUIRE((arrays.state[i] != HitArrays::none) == hit.has_value());
+        REQUIRE((shots.state[i] != HitArrays::none) == hit.has_value());
         if (hit) {
-          CHECK((arrays.state[i] == HitArrays::entry) == (hit->passage == Passage::entry));
-          CHECK(same({arrays.t[i], SurfaceId(arrays.surface[i]), arrays.root[i]}, hit->crossing));
+          CHECK((shots.state[i] == HitArrays::entry) == (hit->passage == Passage::entry));
+          CHECK(same({shots.t[i], SurfaceId(shots.surface[i]), shots.root[i]}, hit->crossing));
         }
         CHECK((any[i] != 0) == scalar.any_hit());
         IntervalList list;
@@ -101,10 +101,9 @@ TEST_CASE("lists of rays that depart, and the faces at their ends, are the scala
     const Cells cells(scene);
     const DepartingRays departing(scene, random, rays_at(random, 400));
     REQUIRE(departing.rays.size() > 20);
-    const Arrays arrays(departing.rays);
     for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
       PacketCaster caster(cells, width);
-      check_lists(cells, caster, departing.arrays(arrays), departing.rays);
+      check_lists(cells, caster, departing.arrays(), departing.rays);
       CHECK(caster.left_to_caster().size() < departing.rays.size());
     }
   }
@@ -128,8 +127,8 @@ TEST_CASE("whole lines in unbounded solids, of all directions in one packet, hav
       rays.emplace_back(o, i % 3 == 0 ? random.direction() : along[i % 4]);
       ends.push_back(i % 2 == 0 ? HUGE_VAL : 1);
     }
-    Arrays arrays(rays);
-    RayArrays lines = arrays.rays();
+    Shots shots(rays);
+    RayArrays lines = shots.rays.arrays();
     lines.whole_line = true;
     lines.end = ends.data();
     for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
@@ -158,13 +157,13 @@ TEST_CASE("a zero's sign does not change what lanes tell of a quadric") {
   Caster scalar(scene);
   const std::vector<Ray> rays{Ray({0.5, 244239.43426779623, 653676.4319077125}, {0, -1, 0}),
                               Ray({1.41e6, -9e6, 653676.4319077125}, {0, 1, 0})};
-  Arrays arrays(rays);
+  Shots shots(rays);
   for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
     PacketCaster caster(cells, width);
-    caster.first_hits(arrays.rays(), arrays.hits(), Rounding::close);
+    caster.first_hits(shots.rays.arrays(), shots.hits(), Rounding::close);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       scalar.begin(rays[i]);
-      CHECK(arrays.t[i] == scalar.first_hit({}, Rounding::close)->crossing.t);
+      CHECK(shots.t[i] == scalar.first_hit({}, Rounding::close)->crossing.t);
     }
   }
 }
@@ -173,8 +172,8 @@ TEST_CASE("lists end where arrays of rays do") {
   const Scene scene = compile(sphere(1));
   const Cells cells(scene);
   PacketCaster caster(cells);
-  Arrays arrays({Ray({0, 0, -3}, {0, 0, 1}), Ray({0, 0, 0}, {0, 0, 1}), Ray({0, 0, -3}, {0, 0, 1})});
-  RayArrays rays = arrays.rays();
+  Shots shots({Ray({0, 0, -3}, {0, 0, 1}), Ray({0, 0, 0}, {0, 0, 1}), Ray({0, 0, -3}, {0, 0, 1})});
+  RayArrays rays = shots.rays.arrays();
   const std::array<double, 3> end{3, 0.5, 1};
   rays.end = end.data();
   IntervalBatch batch;

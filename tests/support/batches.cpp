@@ -1,29 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/batches.h"
 
+#include <optional>
+
 #include "tests/support/catch.h"
 
 namespace csgcast::test {
-
-Arrays::Arrays(const std::vector<Ray>& list)
-    : t(list.size()), surface(list.size()), state(list.size()), root(list.size()) {
-  for (const Ray& ray : list) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      origin[axis].push_back(ray.origin()[axis]);
-      direction[axis].push_back(ray.direction()[axis]);
-    }
-  }
-}
-
-RayArrays Arrays::rays() const {
-  RayArrays arrays;
-  arrays.count = t.size();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    arrays.origin[axis] = origin[axis].data();
-    arrays.direction[axis] = direction[axis].data();
-  }
-  return arrays;
-}
 
 bool same(const Crossing& a, const Crossing& b) {
   return a.t == b.t && a.surface == b.surface && (!a.surface.valid() || a.root == b.root);
@@ -50,28 +32,28 @@ void check_face(Caster& scalar, const Crossing& end, Passage passage, const EndF
 
 }  // namespace
 
-void check_lists(const Cells& cells, PacketCaster& caster, const RayArrays& arrays, const std::vector<Ray>& list) {
+void check_lists(const Cells& cells, PacketCaster& caster, const RayArrays& asked, const RayBatch& batch) {
   Caster scalar(cells.scene());
   for (const Rounding rounding : {Rounding::nearest, Rounding::close}) {
-    IntervalBatch batch;
-    caster.intervals(arrays, batch, rounding, PacketCaster::Ends::faces);
-    REQUIRE(batch.faces.size() == 2 * batch.intervals.size());
-    for (std::size_t i = 0; i < list.size(); ++i) {
+    IntervalBatch found;
+    caster.intervals(asked, found, rounding, PacketCaster::Ends::faces);
+    REQUIRE(found.faces.size() == 2 * found.intervals.size());
+    for (std::size_t i = 0; i < batch.size(); ++i) {
       std::optional<Departure> departure;
-      if (arrays.departure != nullptr) {
-        const Sense side = arrays.departs_positive[i] != 0 ? Sense::positive : Sense::negative;
-        departure = Departure{SurfaceId(arrays.departure[i]), side};
+      if (asked.departure != nullptr) {
+        const Sense side = asked.departs_positive[i] != 0 ? Sense::positive : Sense::negative;
+        departure = Departure{SurfaceId(asked.departure[i]), side};
       }
-      Span span = arrays.whole_line ? Span::line() : Span();
-      if (arrays.end != nullptr) span.to = arrays.end[i];
-      scalar.begin(list[i], departure);
+      Span span = asked.whole_line ? Span::line() : Span();
+      if (asked.end != nullptr) span.to = asked.end[i];
+      scalar.begin(batch.list()[i], departure);
       IntervalList expected;
       scalar.intervals(cells.scene().root(), expected, span, rounding);
-      check_same(batch.of(i), expected);
+      check_same(found.of(i), expected);
       for (std::size_t k = 0; k < expected.size(); ++k) {
-        const std::size_t face = 2 * (batch.offsets[i] + k);
-        check_face(scalar, expected[k].entry, Passage::entry, batch.faces[face]);
-        check_face(scalar, expected[k].exit, Passage::exit, batch.faces[face + 1]);
+        const std::size_t face = 2 * (found.offsets[i] + k);
+        check_face(scalar, expected[k].entry, Passage::entry, found.faces[face]);
+        check_face(scalar, expected[k].exit, Passage::exit, found.faces[face + 1]);
       }
     }
   }
@@ -89,21 +71,23 @@ std::vector<Ray> rays_at(RandomSolids& random, std::size_t count) {
 
 DepartingRays::DepartingRays(const Scene& scene, RandomSolids& random, std::span<const Ray> from) {
   Caster scalar(scene);
+  std::vector<Ray> list;
   for (const Ray& ray : from) {
     scalar.begin(ray);
     const std::optional<Hit> hit = scalar.first_hit();
     if (!hit) continue;
     const Attribution face = scalar.attribute(*hit);
-    rays.emplace_back(face.point, random.direction());
+    list.emplace_back(face.point, random.direction());
     surfaces.push_back(hit->crossing.surface.index());
     const Sense outside = hit->passage == Passage::entry ? face.front : opposite(face.front);
-    const bool goes_out = dot(rays.back().direction(), as_vector(face.normal)) > 0;
+    const bool goes_out = dot(list.back().direction(), as_vector(face.normal)) > 0;
     sides.push_back((goes_out ? outside : opposite(outside)) == Sense::positive ? 1 : 0);
   }
+  rays = RayBatch(std::move(list));
 }
 
-RayArrays DepartingRays::arrays(const Arrays& from) const {
-  RayArrays result = from.rays();
+RayArrays DepartingRays::arrays() const {
+  RayArrays result = rays.arrays();
   result.departure = surfaces.data();
   result.departs_positive = sides.data();
   return result;

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "raycast/packet_caster.h"
 #include "tests/support/random_solid.h"
+#include "tests/support/ray_batch.h"
 
 namespace csgcast::test {
 
-/// Rays as arrays, and room for what they hit.
-struct Arrays {
-  explicit Arrays(const std::vector<Ray>& list);
+/// Rays, and room for what they hit.
+struct Shots {
+  explicit Shots(std::vector<Ray> list)
+      : rays(std::move(list)), t(rays.size()), surface(rays.size()), state(rays.size()), root(rays.size()) {}
 
-  RayArrays rays() const;
   HitArrays hits() { return {state.data(), t.data(), surface.data(), root.data()}; }
 
-  std::array<std::vector<double>, 3> origin, direction;
+  RayBatch rays;
   std::vector<double> t;
   std::vector<std::uint32_t> surface;
   std::vector<std::uint8_t> state, root;
@@ -29,9 +29,9 @@ bool same(const Crossing& a, const Crossing& b);
 
 void check_same(std::span<const Interval> found, const IntervalList& expected);
 
-/// That the lists of some rays, and the faces at all ends, are those of the scalar caster. The rays that `arrays` holds
-/// as `list` has them.
-void check_lists(const Cells& cells, PacketCaster& caster, const RayArrays& arrays, const std::vector<Ray>& list);
+/// That the lists of some rays, and the faces at all ends, are those of the scalar caster. `asked`: the batch's arrays,
+/// with whatever else is asked.
+void check_lists(const Cells& cells, PacketCaster& caster, const RayArrays& asked, const RayBatch& batch);
 
 /// Towards places within 1 of the origin, from up to 4 away.
 std::vector<Ray> rays_at(RandomSolids& random, std::size_t count);
@@ -40,9 +40,9 @@ std::vector<Ray> rays_at(RandomSolids& random, std::size_t count);
 struct DepartingRays {
   DepartingRays(const Scene& scene, RandomSolids& random, std::span<const Ray> from);
 
-  RayArrays arrays(const Arrays& from) const;
+  RayArrays arrays() const;
 
-  std::vector<Ray> rays;
+  RayBatch rays;
   std::vector<std::uint32_t> surfaces;
   std::vector<std::uint8_t> sides;
 };

@@ -9,9 +9,11 @@
 #include <span>
 #include <type_traits>
 
-#include "tests/bench/peers/ray_batch.h"
+#include "tests/support/ray_batch.h"
 
 namespace csgcast::bench {
+
+using test::RayBatch;
 
 /// Embree's calls for 1, 8 and 16 rays at a time, under one name.
 template <std::size_t lanes>

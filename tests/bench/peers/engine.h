@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench/peers/ray_batch.h"
+#include "tests/support/ray_batch.h"
 
 namespace csgcast::bench {
+
+using test::RayBatch;
 
 /// The intervals of many rays, one ray after the other: ends[first[i] .. first[i + 1]) are entry, exit, entry, exit, ..
 /// of ray i.

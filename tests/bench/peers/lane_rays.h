@@ -7,9 +7,11 @@
 #include <span>
 
 #include "tests/bench/peers/part_tree.h"
-#include "tests/bench/peers/ray_batch.h"
+#include "tests/support/ray_batch.h"
 
 namespace csgcast::bench {
+
+using test::RayBatch;
 
 /// Rays side by side, and what is computed once for all parts.
 template <std::size_t lanes>

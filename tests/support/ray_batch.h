@@ -9,9 +9,9 @@
 #include "raycast/ray.h"
 #include "raycast/ray_arrays.h"
 
-namespace csgcast::bench {
+namespace csgcast::test {
 
-/// The same rays one after the other and coordinate by coordinate: each engine takes what suits it.
+/// The same rays one after the other and coordinate by coordinate: who asks takes what suits.
 class RayBatch {
  public:
   RayBatch() = default;
@@ -26,12 +26,14 @@ class RayBatch {
 
   std::size_t size() const { return rays_.size(); }
   std::span<const Ray> list() const { return rays_; }
-  RayArrays arrays() const {
+  RayArrays arrays() const { return arrays(0, size()); }
+  /// Rays [first, first + count).
+  RayArrays arrays(std::size_t first, std::size_t count) const {
     RayArrays arrays;
-    arrays.count = rays_.size();
+    arrays.count = count;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      arrays.origin[axis] = origin_[axis].data();
-      arrays.direction[axis] = direction_[axis].data();
+      arrays.origin[axis] = origin(axis, first);
+      arrays.direction[axis] = direction(axis, first);
     }
     return arrays;
   }
@@ -44,4 +46,4 @@ class RayBatch {
   std::array<std::vector<double>, 3> direction_;
 };
 
-}  // namespace csgcast::bench
+}  // namespace csgcast::test
