@@ -117,6 +117,12 @@ CellForm CellAxes::turned(const CellForm& form) const {
 }
 
 CellBox CellAxes::holding(const CellBox& box) const {
+  const Vector size = box.upper - box.lower;
+  if (!(longest(size) < HUGE_VAL)) {
+    constexpr Vector far{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    const bool is_null = size.x < 0 || size.y < 0 || size.z < 0;
+    return is_null ? CellBox{far, -far} : CellBox{-far, far};
+  }
   const Vector middle = turned(0.5 * (box.lower + box.upper));
   const Vector half = 0.5 * (box.upper - box.lower);
   Vector reach;

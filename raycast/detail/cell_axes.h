@@ -21,7 +21,7 @@ struct CellAxes {
   /// A surface's form in these axes: each coefficient rounded, of what is off by less than 2^-58 of all.
   CellForm turned(const CellForm& form) const;
   Vector turned(Vector v) const;
-  /// The box in these axes that holds a box.
+  /// The box in these axes that holds a box; all of space if that has an infinite side, nothing if it holds nothing.
   CellBox holding(const CellBox& box) const;
 };
 

@@ -27,7 +27,6 @@ inline bool apart(const CellBox& a, const CellBox& b) {
   return false;
 }
 
-/// A side that is not a number, of what is unbounded along turned axes, cuts nothing off.
 inline CellBox intersection(const CellBox& a, const CellBox& b) {
   CellBox result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
