@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "raycast/detail/cell_builder.h"
+#include "raycast/truth_table.h"
 
 // The ends of the kd-tree: a formula becomes a table or steps, its surfaces slots with the faces that they make.
 
@@ -11,8 +12,6 @@ namespace csgcast::detail {
 namespace {
 
 constexpr std::size_t most_tabled = 10;  // more surfaces than that are not searched for those that do not matter
-constexpr std::array<std::uint64_t, 6> variable{0xaaaaaaaaaaaaaaaau, 0xccccccccccccccccu, 0xf0f0f0f0f0f0f0f0u,
-                                                0xff00ff00ff00ff00u, 0xffff0000ffff0000u, 0xffffffff00000000u};
 
 bool bit(std::span<const std::uint64_t> table, std::size_t state) {
   return ((table[state / 64] >> (state % 64)) & 1) != 0;
@@ -48,7 +47,7 @@ std::vector<std::uint64_t> CellBuilder::table_of(const Formula& formula, std::sp
     table[word] = value_(formula.terms, [&](const Term& term) {
       const auto at = std::find(surfaces.begin(), surfaces.end(), term.surface());
       const auto i = static_cast<std::size_t>(at - surfaces.begin());
-      const std::uint64_t positive = i < 6 ? variable[i] : ((word >> (i - 6)) & 1) != 0 ? ~std::uint64_t{0} : 0;
+      const std::uint64_t positive = i < 6 ? positive_states(i) : ((word >> (i - 6)) & 1) != 0 ? ~std::uint64_t{0} : 0;
       return term.wants_positive() ? positive : ~positive;
     });
   }

@@ -9,9 +9,6 @@ namespace csgcast::detail {
 namespace {
 
 using Form = QuadricForm;
-// Of the sum of the magnitudes of all terms: a coefficient's rounding, that of turning it into the cells' axes and some
-// twenty operations come to less than 2^-47.
-constexpr double tolerance = 0x1p-46;
 
 // The greatest value of slope h + bend h² over |h| <= reach.
 double greatest(double slope, double bend, double reach) {
@@ -54,7 +51,7 @@ Sides sides_far_out(const CellForm& form, const CellBox& box) {
     const double size = box.upper[axis] - box.lower[axis];
     if (std::isfinite(size)) finite_spread += std::fabs(c[Form::x + axis]) * 0.5 * size;
   }
-  const double slack = finite_spread + tolerance * magnitude;
+  const double slack = finite_spread + form_tolerance * magnitude;
   if (value > slack && !(spread < 0)) return Sides::positive;
   if (value < -slack && !(spread > 0)) return Sides::negative;
   return Sides::both;
@@ -63,32 +60,19 @@ Sides sides_far_out(const CellForm& form, const CellBox& box) {
 }  // namespace
 
 Sides sides_in(const CellForm& form, const CellBox& box) {
-  const auto& c = form.c;
   const Vector half = 0.5 * (box.upper - box.lower);
   if (!is_finite(half)) return sides_far_out(form, box);
-  const Vector p = 0.5 * (box.upper + box.lower) - form.center;
-  const Vector gradient{2 * c[Form::xx] * p.x + c[Form::xy] * p.y + c[Form::xz] * p.z + c[Form::x],
-                        2 * c[Form::yy] * p.y + c[Form::xy] * p.x + c[Form::yz] * p.z + c[Form::y],
-                        2 * c[Form::zz] * p.z + c[Form::xz] * p.x + c[Form::yz] * p.y + c[Form::z]};
-  const double at_middle = (c[Form::xx] * p.x + c[Form::xy] * p.y + c[Form::xz] * p.z + c[Form::x]) * p.x +
-                           (c[Form::yy] * p.y + c[Form::yz] * p.z + c[Form::y]) * p.y +
-                           (c[Form::zz] * p.z + c[Form::z]) * p.z + c[Form::one];
-  const double mixed = std::fabs(c[Form::xy]) * half.x * half.y + std::fabs(c[Form::xz]) * half.x * half.z +
-                       std::fabs(c[Form::yz]) * half.y * half.z;
-  const double reach = longest(p) + longest(half);
-  double bend = 0;
-  for (std::size_t i = 0; i < Form::x; ++i) bend += std::fabs(c[i]);
-  const double slope = std::fabs(c[Form::x]) + std::fabs(c[Form::y]) + std::fabs(c[Form::z]);
-  // Coordinates up to 8 may be off by 2^-49 each: that moves f by the gradient's bound times as much.
-  const double slack = tolerance * ((bend * reach + slope) * (reach + 8) + bend * reach + std::fabs(c[Form::one]));
+  const LocalForm f = local_form(form, box);
+  const double mixed = std::fabs(f.bend[Form::xy]) * half.x * half.y + std::fabs(f.bend[Form::xz]) * half.x * half.z +
+                       std::fabs(f.bend[Form::yz]) * half.y * half.z;
   double up = mixed;
   double down = mixed;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    up += greatest(gradient[axis], c[axis], half[axis]);
-    down += greatest(gradient[axis], -c[axis], half[axis]);
+    up += greatest(f.gradient[axis], f.bend[axis], half[axis]);
+    down += greatest(f.gradient[axis], -f.bend[axis], half[axis]);
   }
-  if (at_middle - down > slack) return Sides::positive;
-  if (at_middle + up < -slack) return Sides::negative;
+  if (f.value - down > f.slack) return Sides::positive;
+  if (f.value + up < -f.slack) return Sides::negative;
   return Sides::both;
 }
 

@@ -3,25 +3,16 @@
 
 #include <cstdint>
 
-#include "csg/vector.h"
-#include "raycast/surface.h"
+#include "raycast/cell_form.h"
 
 namespace csgcast::detail {
 
+/// Of the sum of the magnitudes of all terms of a form: a coefficient's rounding, that of turning it into the cells'
+/// axes and some twenty operations come to less than 2^-47.
+constexpr double form_tolerance = 0x1p-46;
+
 /// Where a surface is seen to be within a box.
 enum class Sides : std::uint8_t { negative, positive, both };
-
-/// A surface's form in the coordinates in which cells are cut, about a center: f(center + q).
-struct CellForm {
-  Surface::Coefficients c{};
-  Vector center;
-};
-
-/// An axis-aligned box in those coordinates; sides may be infinite.
-struct CellBox {
-  Vector lower;
-  Vector upper;
-};
 
 /// The sides of the surface that the box may meet: `negative` or `positive` only if f has that sign everywhere in it,
 /// by more than what the rounding of the form, of the coordinates within |q| < 8 and of this function may hide. Exact

@@ -71,9 +71,15 @@ class Layout {
 
 }  // namespace
 
-Formula formula_of(const Scene& scene, NodeId node) {
+Formula formula_of(const Scene& scene, NodeId node) { return formula_of_difference(scene, node, {}); }
+
+Formula formula_of_difference(const Scene& scene, NodeId node, std::span<const NodeId> less) {
   Formula whole;
-  Layout(scene, whole).run(node);
+  whole.terms.push_back({1, 0, Term::Op::subtract});
+  Layout layout(scene, whole);
+  layout.run(node);
+  for (const NodeId other : less) layout.run(other);
+  whole.terms.front().size = static_cast<std::uint32_t>(whole.terms.size());
   Formula folded;
   Folder().fold(
       whole, folded, [](LeafId) { return Known::open; }, [](const Term&) { return Known::open; });

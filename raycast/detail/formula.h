@@ -33,6 +33,8 @@ struct Formula {
 
 /// The whole tree below a node.
 Formula formula_of(const Scene& scene, NodeId node);
+/// The tree below one less those below others.
+Formula formula_of_difference(const Scene& scene, NodeId node, std::span<const NodeId> less);
 
 /// What is known of a term where a formula is folded.
 enum class Known : std::uint8_t { no, yes, open };

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "csg/vector.h"
+#include "measure/detail/moments.h"
+#include "raycast/pieces.h"
+
+namespace csgcast::detail {
+
+/// A function value + gradient . d.
+struct LinearForm {
+  double value = 0;
+  Vector gradient;
+
+  double at(Vector d) const { return value + dot(gradient, d); }
+};
+
+/// What planes cut out of a box about the origin.
+struct LinearCut {
+  Moments moments;                                   ///< of the points inside
+  std::array<double, Piece::most_surfaces> areas{};  ///< of the faces in each plane: where the value changes across it
+};
+
+/// `table`: whether points are inside, by the signs of the forms (Piece::table). The sums are exact but for rounding:
+/// below 2^-44 of the box's volume and, for areas, of its surface (docs/measuring.md).
+LinearCut cut_linearly(std::span<const LinearForm> forms, std::uint64_t table, Vector half);
+
+}  // namespace csgcast::detail

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "measure/detail/estimate.h"
+#include "measure/measure.h"
+
+namespace csgcast::detail {
+
+/// Sums over all of a solid, in the coordinates of its space.
+struct Totals {
+  Moments moments;
+  double volume_error = 0;
+  std::array<double, 3> first_error{};
+  std::array<double, 6> second_error{};
+  double area = 0;
+  double area_error = 0;
+  std::size_t pieces = 0;
+  bool is_as_asked = false;
+};
+
+/// Cuts space until the sums are as certain as the options ask. Precondition: it is bounded.
+Totals refine(const Space& space, const MeasureOptions& options);
+
+}  // namespace csgcast::detail

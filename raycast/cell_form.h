@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "csg/vector.h"
+#include "raycast/surface.h"
+
+namespace csgcast {
+
+/// A surface's form in the coordinates in which space is cut into boxes, about a center: f(center + q).
+struct CellForm {
+  Surface::Coefficients c{};
+  Vector center;
+};
+
+/// An axis-aligned box in those coordinates; sides may be infinite.
+struct CellBox {
+  Vector lower;
+  Vector upper;
+};
+
+/// A form about the middle of a box: value + gradient . d + bend(d) for d up to half the box's sides.
+struct LocalForm {
+  double value = 0;
+  Vector gradient;
+  std::array<double, 6> bend{};  ///< xx, yy, zz, xy, xz, yz, as of QuadricForm::Term
+  double slack = 0;  ///< more than the exact form of the surface differs from this one, anywhere in the box
+};
+
+/// Precondition: the box is finite. `slack` covers what the rounding of the form, of coordinates within |q| < 8 and of
+/// the sums may hide.
+LocalForm local_form(const CellForm& form, const CellBox& box);
+
+}  // namespace csgcast

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "raycast/cell_form.h"
+#include "raycast/scene.h"
+
+namespace csgcast {
+
+namespace detail {
+struct CellGround;
+struct Formula;
+}  // namespace detail
+
+/// A box of a solid's space with what the tree comes to in it, as a function of the sides of the few surfaces that
+/// cross it.
+struct Piece {
+  static constexpr std::size_t most_surfaces = 6;
+
+  CellBox box;
+  std::array<std::uint32_t, most_surfaces> surfaces{};  ///< SurfaceId, of the first `count`
+  std::uint32_t count = 0;  ///< of a crowded piece at least as many as cross it
+  /// Bit s: whether points are inside where surface i is positive if bit i of s is set, else negative. Does not depend
+  /// on the bits from `count` on.
+  std::uint64_t table = 0;
+  /// Of pieces that more surfaces cross; then table and surfaces say nothing.
+  std::shared_ptr<const detail::Formula> formula;
+
+  bool is_crowded() const { return formula != nullptr; }
+  bool is_constant() const { return formula == nullptr && count == 0; }
+  bool value() const { return (table & 1) != 0; }  ///< precondition: constant
+};
+
+/// The space of a scene's solid, or of one of its nodes, to be cut into pieces: exactly, not for rays only. Its
+/// coordinates are the frame's, turned to the axes that most planes are square to. Read-only; any number of threads may
+/// use it.
+class Space {
+ public:
+  /// The scene must outlive the space.
+  explicit Space(const Scene& scene) : Space(scene, scene.root()) {}
+  /// Of one of its nodes, less others.
+  Space(const Scene& scene, NodeId node, std::vector<NodeId> less = {});
+  ~Space();
+  Space(Space&&) noexcept;
+
+  const Scene& scene() const;
+  NodeId node() const { return node_; }
+  std::span<const NodeId> less() const { return less_; }
+  /// False if the solid may be unbounded: then there are no pieces.
+  bool is_bounded() const;
+  /// Known to hold nothing.
+  bool is_empty() const;
+  /// Holds the solid; within |u| <= 4.
+  const CellBox& box() const;
+  /// A surface's form in these coordinates, up to a positive factor. `is_known` is false where the form decides
+  /// nothing, as its numbers are out of range.
+  const CellForm& form(std::uint32_t surface) const;
+  bool is_known(std::uint32_t surface) const;
+  bool is_plane(std::uint32_t surface) const;
+
+  /// One unit of these coordinates in the scene's unit of length: a power of two.
+  double scale() const;
+  /// The axes of these coordinates, as rows in those of the scene: unit and square to each other to 2^-52.
+  std::array<Vector, 3> axes() const;
+  Vector turned_back(Vector v) const;  ///< into the scene's axes; not scaled
+  Point in_scene(Vector u) const;
+
+  const detail::CellGround& ground() const { return *ground_; }
+
+ private:
+  NodeId node_;
+  std::vector<NodeId> less_;
+  std::unique_ptr<const detail::CellGround> ground_;
+};
+
+/// Cuts space into pieces; the working memory of one thread. The space must outlive it.
+class PieceCutter {
+ public:
+  explicit PieceCutter(const Space& space);
+  ~PieceCutter();
+  PieceCutter(PieceCutter&&) noexcept;
+
+  /// All of space. Precondition: it is bounded.
+  Piece whole();
+  /// What is below and above a place on an axis, which lies within the piece's box.
+  std::pair<Piece, Piece> cut(const Piece& piece, std::size_t axis, double at);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace csgcast
