@@ -72,7 +72,8 @@ void append_measures(std::string& out, const Measures& m) {
              m.bounds.is_null() ? "empty"
                                 : fmt::format("{}  to  {}  ± {:.2g}", coordinates(m.bounds.lower, m.bounds_error),
                                               coordinates(m.bounds.upper, m.bounds_error), m.bounds_error));
-  append_row(out, "cells", fmt::format("{}{}", m.pieces, m.is_as_asked ? "" : ": no more would have brought what was asked for"));
+  append_row(out, "cells",
+             fmt::format("{}{}", m.pieces, m.is_as_asked ? "" : ": no more would have brought what was asked for"));
 }
 
 std::string as_text(const Scene& scene, const SceneMeasures& measures) {
@@ -160,7 +161,8 @@ Command measure_command(CLI::App& program) {
              {{"table", Format::table}, {"json", Format::json}});
   line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
   line->footer(
-      "The true value is within each printed error, rounding included. Mass, centroid and inertia (about the centroid,\n"
+      "The true value is within each printed error, rounding included. Mass, centroid and inertia (about the "
+      "centroid,\n"
       "along the scene's axes) are those of the parts with their densities, and of the rest with density 1.\n\n"
       "Example:\n"
       "  csgcast measure part.csg\n"

@@ -26,7 +26,7 @@ struct LocalForm {
   double value = 0;
   Vector gradient;
   std::array<double, 6> bend{};  ///< xx, yy, zz, xy, xz, yz, as of QuadricForm::Term
-  double slack = 0;  ///< more than the exact form of the surface differs from this one, anywhere in the box
+  double slack = 0;              ///< more than the exact form of the surface differs from this one, anywhere in the box
 };
 
 /// Precondition: the box is finite. `slack` covers what the rounding of the form, of coordinates within |q| < 8 and of

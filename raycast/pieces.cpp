@@ -11,6 +11,41 @@
 
 namespace csgcast {
 
+namespace {
+
+// Leaves with more half-spaces in a box are not searched for those that others imply.
+constexpr std::uint32_t most_compared = 128;
+
+LocalForm multiple(LocalForm form, double s) {
+  form.value *= s;
+  form.gradient = s * form.gradient;
+  for (double& bend : form.bend) bend *= s;
+  return form;
+}
+
+// Whether g is negative in the box wherever f is at most 0: then g - s f is so everywhere for some s >= 0.
+bool implies(const LocalForm& f, const LocalForm& g, Vector half) {
+  double product = 0;
+  double squares = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    product += f.gradient[axis] * half[axis] * g.gradient[axis] * half[axis];
+    squares += f.gradient[axis] * half[axis] * f.gradient[axis] * half[axis];
+  }
+  if (!(product > 0)) return false;
+  const double s = product / squares;
+  double most = g.value - s * f.value + g.slack + s * f.slack;
+  for (std::size_t axis = 0; axis < 3; ++axis) most += std::fabs(g.gradient[axis] - s * f.gradient[axis]) * half[axis];
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double bend = g.bend[k] - s * f.bend[k];
+    const std::size_t i = k < 3 ? k : k == 5 ? 1 : 0;
+    const std::size_t j = k < 3 ? k : k == 3 ? 1 : 2;
+    most += (k < 3 ? std::fmax(bend, 0) : std::fabs(bend)) * half[i] * half[j];
+  }
+  return most < 0;
+}
+
+}  // namespace
+
 Space::Space(const Scene& scene, NodeId node, std::vector<NodeId> less)
     : node_(node), less_(std::move(less)), ground_(std::make_unique<const detail::CellGround>(scene, node)) {}
 
@@ -60,6 +95,9 @@ struct PieceCutter::State {
   Piece fold(const detail::Formula& from, const CellBox& box);
   Piece fold_table(const Piece& from, const CellBox& box);
   bool tabulate(const detail::Formula& formula, Piece& piece);
+  std::uint32_t distinct_surfaces(const detail::Formula& formula);
+  bool drop_implied(detail::Formula& formula, const CellBox& box);
+  bool find_implied(const detail::Formula& formula, std::size_t leaf, const CellBox& box);
 
   const Space& space;
   const detail::CellGround& ground;
@@ -70,6 +108,8 @@ struct PieceCutter::State {
   std::vector<detail::Sides> answer;
   std::uint32_t question = 0;
   std::vector<std::uint32_t> surfaces;
+  std::vector<bool> implied;  // by term
+  std::vector<LocalForm> forms;
 };
 
 // A piece of a formula that is folded. False if too many surfaces are left.
@@ -83,14 +123,80 @@ bool PieceCutter::State::tabulate(const detail::Formula& formula, Piece& piece) 
     surfaces.push_back(id);
   }
   std::sort(surfaces.begin(), surfaces.end());
-  piece.table = value(formula.terms, [&](const detail::Term& term) {
-    const auto at = std::lower_bound(surfaces.begin(), surfaces.end(), term.surface().index());
-    const std::uint64_t positive = positive_states(static_cast<std::size_t>(at - surfaces.begin()));
-    return term.wants_positive() ? positive : ~positive;
-  });
+  const std::size_t words = surfaces.size() <= 6 ? 1 : TruthTable::words;
+  for (std::size_t w = 0; w < TruthTable::words; ++w) {
+    if (w >= words) {
+      piece.table.word(w) = piece.table.word(0);
+      continue;
+    }
+    piece.table.word(w) = value(formula.terms, [&](const detail::Term& term) {
+      const auto at = std::lower_bound(surfaces.begin(), surfaces.end(), term.surface().index());
+      const auto i = static_cast<std::size_t>(at - surfaces.begin());
+      const std::uint64_t positive = TruthTable::states_of_word(i, w);
+      return term.wants_positive() ? positive : ~positive;
+    });
+  }
   piece.count = static_cast<std::uint32_t>(surfaces.size());
   std::copy(surfaces.begin(), surfaces.end(), piece.surfaces.begin());
   return true;
+}
+
+std::uint32_t PieceCutter::State::distinct_surfaces(const detail::Formula& formula) {
+  ++question;
+  std::uint32_t count = 0;
+  for (const detail::Term& term : formula.terms) {
+    if (term.op != detail::Term::Op::half_space) continue;
+    std::uint32_t& asked = asked_in[term.surface().index()];
+    if (asked != question) ++count;
+    asked = question;
+  }
+  return count;
+}
+
+// The half-spaces of a leaf that others of it imply in the box: most of a finely faceted solid's are, beside the few
+// facets that cross the box. False if there are none.
+bool PieceCutter::State::drop_implied(detail::Formula& formula, const CellBox& box) {
+  implied.assign(formula.terms.size(), false);
+  bool any = false;
+  for (std::size_t i = 0; i < formula.terms.size();) {
+    const detail::Term& leaf = formula.terms[i];
+    if (leaf.op == detail::Term::Op::leaf && leaf.size > 2 && leaf.size <= most_compared)
+      any = find_implied(formula, i, box) || any;
+    i += leaf.op == detail::Term::Op::leaf ? leaf.size : 1;
+  }
+  if (!any) return false;
+  detail::Formula rest;
+  folder.fold(
+      formula, rest, [](LeafId) { return detail::Known::open; },
+      [&](const detail::Term& term) {
+        return implied[static_cast<std::size_t>(&term - formula.terms.data())] ? detail::Known::yes
+                                                                               : detail::Known::open;
+      });
+  formula = std::move(rest);
+  return true;
+}
+
+bool PieceCutter::State::find_implied(const detail::Formula& formula, std::size_t leaf, const CellBox& box) {
+  const std::size_t first = leaf + 1;
+  const std::size_t end = leaf + formula.terms[leaf].size;
+  forms.clear();
+  for (std::size_t i = first; i < end; ++i) {
+    forms.push_back(local_form(ground.forms[formula.terms[i].surface().index()], box));
+    // Turned so that it is at most 0 inside.
+    if (formula.terms[i].wants_positive()) forms.back() = multiple(forms.back(), -1);
+  }
+  const Vector half = 0.5 * (box.upper - box.lower);
+  bool any = false;
+  for (std::size_t b = 0; b < forms.size(); ++b) {
+    for (std::size_t a = 0; a < forms.size() && !implied[first + b]; ++a) {
+      if (a == b || implied[first + a]) continue;
+      if (!space.is_known(formula.terms[first + a].surface().index())) continue;
+      if (!space.is_known(formula.terms[first + b].surface().index())) continue;
+      implied[first + b] = implies(forms[a], forms[b], half);
+      any = any || implied[first + b];
+    }
+  }
+  return any;
 }
 
 Piece PieceCutter::State::fold(const detail::Formula& from, const CellBox& box) {
@@ -109,11 +215,11 @@ Piece PieceCutter::State::fold(const detail::Formula& from, const CellBox& box) 
         return (sides == detail::Sides::positive) == term.wants_positive() ? detail::Known::yes : detail::Known::no;
       });
   if (folded.is_constant()) {
-    piece.table = folded.value ? ~std::uint64_t{0} : 0;
-  } else if (tabulate(folded, piece)) {
+    piece.table = TruthTable::constant(folded.value);
+  } else if (tabulate(folded, piece) || (drop_implied(folded, box) && tabulate(folded, piece))) {
     return fold_table(piece, box);  // leaves out what does not matter
   } else {
-    piece.count = static_cast<std::uint32_t>(folded.terms.size());
+    piece.count = distinct_surfaces(folded);
     piece.formula = std::make_shared<const detail::Formula>(std::move(folded));
   }
   return piece;
@@ -122,18 +228,18 @@ Piece PieceCutter::State::fold(const detail::Formula& from, const CellBox& box) 
 Piece PieceCutter::State::fold_table(const Piece& from, const CellBox& box) {
   Piece piece;
   piece.box = box;
-  std::uint64_t table = from.table;
+  TruthTable table = from.table;
   std::array<bool, Piece::most_surfaces> stays{};
   for (std::size_t i = 0; i < from.count; ++i) {
-    if (!depends_on(table, i)) continue;
+    if (!table.depends_on(i)) continue;
     const detail::Sides sides = sides_of(from.surfaces[i], box);
     stays[i] = sides == detail::Sides::both;
-    if (!stays[i]) table = restricted(table, i, sides == detail::Sides::positive);
+    if (!stays[i]) table = table.with(i, sides == detail::Sides::positive);
   }
   for (std::size_t i = 0; i < from.count; ++i) {
     // Another one's side may have settled that it does not matter either.
-    if (stays[i] && depends_on(table, i)) {
-      table = renamed(table, i, piece.count);
+    if (stays[i] && table.depends_on(i)) {
+      table = table.renamed(i, piece.count);
       piece.surfaces[piece.count++] = from.surfaces[i];
     }
   }
@@ -151,7 +257,7 @@ Piece PieceCutter::whole() {
   if (!formula.is_constant() && !space.is_empty()) return state_->fold(formula, space.box());
   Piece piece;
   piece.box = space.box();
-  piece.table = formula.is_constant() && formula.value && !space.is_empty() ? ~std::uint64_t{0} : 0;
+  piece.table = TruthTable::constant(formula.is_constant() && formula.value && !space.is_empty());
   return piece;
 }
 

@@ -11,6 +11,7 @@
 
 #include "raycast/cell_form.h"
 #include "raycast/scene.h"
+#include "raycast/truth_table.h"
 
 namespace csgcast {
 
@@ -22,20 +23,19 @@ struct Formula;
 /// A box of a solid's space with what the tree comes to in it, as a function of the sides of the few surfaces that
 /// cross it.
 struct Piece {
-  static constexpr std::size_t most_surfaces = 6;
+  static constexpr std::size_t most_surfaces = TruthTable::most_values;
 
   CellBox box;
-  std::array<std::uint32_t, most_surfaces> surfaces{};  ///< SurfaceId, of the first `count`
-  std::uint32_t count = 0;  ///< of a crowded piece at least as many as cross it
-  /// Bit s: whether points are inside where surface i is positive if bit i of s is set, else negative. Does not depend
-  /// on the bits from `count` on.
-  std::uint64_t table = 0;
+  std::uint32_t count = 0;                              ///< of the surfaces
+  std::array<std::uint32_t, most_surfaces> surfaces{};  ///< SurfaceId
+  /// Whether points are inside, by the signs of the surfaces: true is positive.
+  TruthTable table;
   /// Of pieces that more surfaces cross; then table and surfaces say nothing.
   std::shared_ptr<const detail::Formula> formula;
 
   bool is_crowded() const { return formula != nullptr; }
   bool is_constant() const { return formula == nullptr && count == 0; }
-  bool value() const { return (table & 1) != 0; }  ///< precondition: constant
+  bool value() const { return table.at(0); }  ///< precondition: constant
 };
 
 /// The space of a scene's solid, or of one of its nodes, to be cut into pieces: exactly, not for rays only. Its

@@ -99,13 +99,13 @@ bool ColumnLayout::add_curve(const LocalForm& form, std::optional<std::size_t> w
 
 /// Whether the value is the same on both sides of surface i, wherever it is.
 bool ColumnLayout::has_no_effect(std::size_t i) const {
-  std::uint64_t table = piece_.table;
+  TruthTable table = forms_.table;
   for (std::size_t j = 0; j < forms_.count; ++j) {
-    if (j == i || !depends_on(table, j)) continue;
+    if (j == i || !table.depends_on(j)) continue;
     const int side = side_along(forms_.f[i], forms_.f[j]);
-    if (side != 0) table = restricted(table, j, side > 0);
+    if (side != 0) table = table.with(j, side > 0);
   }
-  return !depends_on(table, i);
+  return !table.depends_on(i);
 }
 
 /// The sign that a form has all over the box; 0 if it is open.
@@ -184,8 +184,8 @@ LocalForm ColumnLayout::on_plane(const LocalForm& form, const LocalForm& plane) 
   // The plane may be off by its slack and what it bends, which moves z, and the sums round.
   const Range bend = forms_.bend_of(plane);
   const double reach = std::fabs(p) + std::fabs(q) * hx() + std::fabs(r) * hy();
-  const double steep = std::fabs(form.gradient[up]) + 2 * std::fabs(a) * reach + std::fabs(xz) * hx() +
-                       std::fabs(yz) * hy();
+  const double steep =
+      std::fabs(form.gradient[up]) + 2 * std::fabs(a) * reach + std::fabs(xz) * hx() + std::fabs(yz) * hy();
   flat.slack += steep * (plane.slack + bend.high - bend.low) / std::fabs(n) + 0x1p-49 * steep * reach;
   return flat;
 }
@@ -196,8 +196,8 @@ std::vector<YRange> ColumnLayout::ranges() const {
     const double a = bend_along(curve.form, axes_.y, axes_.y);
     for (const double side : {-hx(), hx()}) {
       const double b = curve.form.gradient[axes_.y] + bend_along(curve.form, axes_.x, axes_.y) * side;
-      const double c = curve.form.value +
-                       (curve.form.gradient[axes_.x] + bend_along(curve.form, axes_.x, axes_.x) * side) * side;
+      const double c =
+          curve.form.value + (curve.form.gradient[axes_.x] + bend_along(curve.form, axes_.x, axes_.x) * side) * side;
       add_roots(a, b, c, hy(), ends);
     }
   }

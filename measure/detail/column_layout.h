@@ -38,8 +38,7 @@ struct YRange {
 /// changes from column to column are along curves that do not cross each other.
 class ColumnLayout {
  public:
-  ColumnLayout(const PieceForms& forms, const Piece& piece, Sheet::Axes axes)
-      : forms_(forms), piece_(piece), axes_(axes) {}
+  ColumnLayout(const PieceForms& forms, Sheet::Axes axes) : forms_(forms), axes_(axes) {}
 
   /// False if the piece is not like that.
   bool find();
@@ -55,7 +54,6 @@ class ColumnLayout {
   /// A surface's form at a point.
   double form_at(std::size_t surface, double x, double y, double z) const;
   const PieceForms& forms() const { return forms_; }
-  const Piece& piece() const { return piece_; }
   Sheet::Axes axes() const { return axes_; }
   bool is_sheet(std::size_t surface) const { return kind_[surface] == Kind::sheet; }
 
@@ -73,7 +71,6 @@ class ColumnLayout {
   bool add_curve(const LocalForm& form, std::optional<std::size_t> wall);
 
   const PieceForms& forms_;
-  const Piece& piece_;
   Sheet::Axes axes_;
   std::array<Kind, Piece::most_surfaces> kind_{};
   std::vector<SheetOfPiece> sheets_;

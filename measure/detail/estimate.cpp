@@ -17,9 +17,7 @@ constexpr double rounding = 0x1p-44;
 
 double longest_side(Vector half) { return std::fmax(half.x, std::fmax(half.y, half.z)); }
 
-std::size_t longest_axis(Vector half) {
-  return half.x >= half.y && half.x >= half.z ? 0 : half.y >= half.z ? 1 : 2;
-}
+std::size_t longest_axis(Vector half) { return half.x >= half.y && half.x >= half.z ? 0 : half.y >= half.z ? 1 : 2; }
 
 double surface_of(Vector half) { return 8 * (half.x * half.y + half.y * half.z + half.z * half.x); }
 
@@ -91,8 +89,8 @@ Estimate estimate(const Space& space, const Piece& piece) {
   const bool all_planes = std::all_of(forms.is_plane.begin(), forms.is_plane.begin() + static_cast<long>(forms.count),
                                       [](bool is) { return is; });
   std::optional<Estimate> sheets;
-  if (!all_planes) sheets = sheet_estimate(forms, piece);
-  result = sheets ? *sheets : linear_estimate(forms, piece);
+  if (!all_planes) sheets = sheet_estimate(forms);
+  result = sheets ? *sheets : linear_estimate(forms);
   const double most_area = greatest_area(forms);
   if (!(result.area_error < 0.5 * most_area)) result.area = result.area_error = 0.5 * most_area;
   result.split = bending_axis(forms);
@@ -175,7 +173,7 @@ class FaceArea {
 
 }  // namespace
 
-Estimate linear_estimate(const PieceForms& forms, const Piece& piece) {
+Estimate linear_estimate(const PieceForms& forms) {
   std::array<LinearForm, Piece::most_surfaces> planes{};
   std::array<double, Piece::most_surfaces> off{};  // of the forms from the planes
   double share = 0;
@@ -188,7 +186,7 @@ Estimate linear_estimate(const PieceForms& forms, const Piece& piece) {
   }
   if (share >= 1) return unknown(forms, greatest_area(forms));
   const std::span<const LinearForm> all(planes.data(), forms.count);
-  const LinearCut cut = cut_linearly(all, piece.table, forms.half);
+  const LinearCut cut = cut_linearly(all, forms.table, forms.half);
   Estimate e;
   e.moments = moved(cut.moments, forms.middle);
   e.volume_error = (share + rounding) * forms.volume();

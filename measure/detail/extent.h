@@ -8,7 +8,7 @@ namespace csgcast::detail {
 
 /// How far a solid reaches along the axes of the scene.
 struct Extent {
-  Box box;           ///< null: the solid is empty, as far as can be told
+  Box box;           ///< null: the solid is empty
   double error = 0;  ///< of each side
 };
 

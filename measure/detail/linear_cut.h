@@ -27,6 +27,6 @@ struct LinearCut {
 
 /// `table`: whether points are inside, by the signs of the forms (Piece::table). The sums are exact but for rounding:
 /// below 2^-44 of the box's volume and, for areas, of its surface (docs/measuring.md).
-LinearCut cut_linearly(std::span<const LinearForm> forms, std::uint64_t table, Vector half);
+LinearCut cut_linearly(std::span<const LinearForm> forms, const TruthTable& table, Vector half);
 
 }  // namespace csgcast::detail

@@ -3,9 +3,12 @@
 
 #include <cmath>
 
+#include "raycast/truth_table.h"
+
 namespace csgcast::detail {
 
-PieceForms::PieceForms(const Space& space, const Piece& piece) : count(piece.is_crowded() ? 0 : piece.count) {
+PieceForms::PieceForms(const Space& space, const Piece& piece)
+    : count(piece.is_crowded() ? 0 : piece.count), table(piece.table) {
   middle = 0.5 * (piece.box.upper + piece.box.lower);
   half = 0.5 * (piece.box.upper - piece.box.lower);
   for (std::size_t i = 0; i < count; ++i) {
@@ -13,6 +16,44 @@ PieceForms::PieceForms(const Space& space, const Piece& piece) : count(piece.is_
     f[i] = local_form(space.form(piece.surfaces[i]), piece.box);
     is_plane[i] = space.is_plane(piece.surfaces[i]);
   }
+  if (are_known) merge_twins();
+}
+
+void PieceForms::merge_twins() {
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count;) {
+      if (!is_plane[i] || !is_plane[j] || !merge(i, j)) {
+        ++j;
+        continue;
+      }
+      // The last one takes the free place.
+      const std::size_t last = --count;
+      if (j != last) {
+        f[j] = f[last];
+        is_plane[j] = is_plane[last];
+        table = table.renamed(last, j);
+      }
+    }
+  }
+}
+
+/// Makes plane j plane i as well if they are twins; the table no longer depends on it.
+bool PieceForms::merge(std::size_t i, std::size_t j) {
+  const double s = dot(f[j].gradient, f[i].gradient) / dot(f[i].gradient, f[i].gradient);
+  if (!(std::fabs(s) > 0)) return false;
+  const Vector rest = f[j].gradient - s * f[i].gradient;
+  double apart = std::fabs(f[j].value - s * f[i].value);
+  for (std::size_t axis = 0; axis < 3; ++axis) apart += std::fabs(rest[axis]) * half[axis];
+  if (!(apart <= std::fabs(s) * f[i].slack + f[j].slack)) return false;
+  const auto value = [&](bool of_i, bool of_j) { return table.with(i, of_i).with(j, of_j); };
+  const bool is_same_way = s > 0;
+  const TruthTable below = value(false, !is_same_way);
+  const TruthTable above = value(true, is_same_way);
+  const TruthTable between = (value(false, is_same_way) ^ below) | (value(true, !is_same_way) ^ below);
+  if (exceeds(between, below ^ above)) return false;  // a sheet of something, or a gap
+  table = TruthTable::by(i, below, above);
+  f[i].slack += (apart + f[j].slack) / std::fabs(s);
+  return true;
 }
 
 Range PieceForms::bend_of(const LocalForm& form) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "csg/vector.h"
 #include "measure/detail/linear_cut.h"
@@ -20,10 +21,14 @@ struct Range {
 };
 
 /// The surfaces of a piece about the middle of its box.
+///
+/// Planes that are nowhere in the box farther apart than they are certain, such as the halves of a square whose corners
+/// were rounded, are one, if the value between them is that on one of their sides: `slack` then covers them all.
 struct PieceForms {
   PieceForms(const Space& space, const Piece& piece);
 
   std::size_t count = 0;
+  TruthTable table;  ///< as of a piece, over these
   Vector middle;
   Vector half;
   std::array<LocalForm, Piece::most_surfaces> f{};
@@ -35,6 +40,10 @@ struct PieceForms {
   Range bend_of(const LocalForm& form) const;
   /// Of the part of a gradient along an axis.
   Range slope_of(const LocalForm& form, std::size_t axis) const;
+
+ private:
+  void merge_twins();
+  bool merge(std::size_t i, std::size_t j);
 };
 
 /// The coefficient of the product of two axes.

@@ -119,11 +119,11 @@ std::optional<Column> SheetEstimator::column_at(double x, double y, const Curve*
   };
   std::array<Place, Piece::most_surfaces + 1> places{};  // in ascending order
   std::size_t count = 0;
-  std::uint64_t state = 0;  // of sheets, at the bottom
+  std::size_t state = 0;  // of sheets, at the bottom
   for (const SheetOfPiece& sheet : layout_.sheets()) {
     const double z = sheet.sheet.height() + sheet.sheet.away_at(x, y);
     const bool is_below = z <= -hz();
-    if (is_below == sheet.sheet.rises()) state |= std::uint64_t{1} << sheet.surface;
+    if (is_below == sheet.sheet.rises()) state |= std::size_t{1} << sheet.surface;
     if (is_below || z >= hz()) continue;
     std::size_t at = count++;
     for (; at > 0 && places[at - 1].z > z; --at) places[at] = places[at - 1];
@@ -132,20 +132,20 @@ std::optional<Column> SheetEstimator::column_at(double x, double y, const Curve*
   places[count] = {hz(), nullptr};
   // Between two places. Surfaces without effect may pass anywhere: whatever sign they have then will do.
   const auto value_at = [&](double z) {
-    std::uint64_t all = state;
+    std::size_t all = state;
     for (std::size_t i = 0; i < layout_.forms().count; ++i) {
       if (layout_.is_sheet(i) || (wall != nullptr && wall->wall == i)) continue;
-      if (layout_.form_at(i, x, y, z) > 0) all |= std::uint64_t{1} << i;
+      if (layout_.form_at(i, x, y, z) > 0) all |= std::size_t{1} << i;
     }
-    const std::uint64_t table = layout_.piece().table;
-    if (wall == nullptr) return static_cast<int>((table >> all) & 1);
-    return static_cast<int>(((table >> all) ^ (table >> (all | std::uint64_t{1} << *wall->wall))) & 1);
+    const TruthTable& table = layout_.forms().table;
+    if (wall == nullptr) return table.at(all) ? 1 : 0;
+    return table.at(all) != table.at(all | std::size_t{1} << *wall->wall) ? 1 : 0;
   };
   Column column;
   column.at_bottom = value_at(0.5 * (places[0].z - hz()));
   int below = column.at_bottom;
   for (std::size_t k = 0; k < count; ++k) {
-    state ^= std::uint64_t{1} << places[k].sheet->surface;
+    state ^= std::size_t{1} << places[k].sheet->surface;
     const int above = value_at(0.5 * (places[k].z + places[k + 1].z));
     if (above != below) column.ends[column.count++] = {places[k].sheet, above - below};
     below = above;
@@ -182,7 +182,8 @@ void SheetEstimator::add_column(double x, double y, double w, const Column& colu
     line_z -= step * z * z / 2;
     line_zz -= step * z * z * z / 3;
   }
-  sums_ += w * Moments{line, {x * line, y * line, line_z},
+  sums_ += w * Moments{line,
+                       {x * line, y * line, line_z},
                        {x * x * line, y * y * line, line_zz, x * y * line, x * line_z, y * line_z}};
 }
 
@@ -262,8 +263,7 @@ bool SheetEstimator::add_wall(YRange range, const Curve& curve, const Column& co
     const double away = curve.x.away_at(y, 0);
     const double x = curve.x.height() + away;
     double line = (column.at_top + column.at_bottom) * hz();
-    for (const auto& [end, step] : column.sheets())
-      line -= step * (end->sheet.height() + end->sheet.away_at(x, y));
+    for (const auto& [end, step] : column.sheets()) line -= step * (end->sheet.height() + end->sheet.away_at(x, y));
     estimate_.area += Gauss::weight[j] * half_height * line * curve.x.area_factor(y, 0, away);
   }
   return true;
@@ -315,7 +315,7 @@ Estimate SheetEstimator::finished() const {
 
 }  // namespace
 
-std::optional<Estimate> sheet_estimate(const PieceForms& forms, const Piece& piece) {
+std::optional<Estimate> sheet_estimate(const PieceForms& forms) {
   // The axis along which the surfaces are most nearly level first.
   std::array<double, 3> level{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   for (std::size_t i = 0; i < forms.count; ++i) {
@@ -331,7 +331,7 @@ std::optional<Estimate> sheet_estimate(const PieceForms& forms, const Piece& pie
     for (const bool swaps : {false, true}) {
       const std::size_t a = (up + 1) % 3;
       const std::size_t b = (up + 2) % 3;
-      ColumnLayout layout(forms, piece, swaps ? Sheet::Axes{b, a, up} : Sheet::Axes{a, b, up});
+      ColumnLayout layout(forms, swaps ? Sheet::Axes{b, a, up} : Sheet::Axes{a, b, up});
       if (!layout.find()) continue;
       const std::optional<Estimate> e = SheetEstimator(layout)();
       if (e && (!best || e->volume_error < best->volume_error)) best = e;

@@ -46,7 +46,9 @@ Known known_corner(double s) {
   const double v = s * s * s / 6;
   const double square = 3.0 / 80 * v * s * s;  // of a coordinate about the centroid
   const double product = -v * s * s / 80;
-  return {v, 1.5 * s * s + std::sqrt(3.0) / 2 * s * s, {s / 4, s / 4, s / 4},
+  return {v,
+          1.5 * s * s + std::sqrt(3.0) / 2 * s * s,
+          {s / 4, s / 4, s / 4},
           {2 * square, 2 * square, 2 * square, -product, -product, -product}};
 }
 
@@ -102,10 +104,12 @@ std::vector<Case> other_solids() {
   cases.push_back({"ellipsoid", ellipsoid({0.5, 1, 1.5}), known_ellipsoid({0.5, 1, 1.5})});
   cases.push_back({"corner", box({1, 1, 1}) & halfspace({1, 1, 1}, 1), known_corner(1)});
   const std::vector<Point> corners{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  cases.push_back({"octahedron", convex_from_points(corners),
+  cases.push_back({"octahedron",
+                   convex_from_points(corners),
                    {4.0 / 3, 4 * std::sqrt(3.0), {}, {4.0 / 15, 4.0 / 15, 4.0 / 15, 0, 0, 0}}});
   cases.push_back({"bicylinder", along_x & along_y, {16.0 / 3, 16, {}, {NAN, NAN, NAN, 0, 0, 0}}});
-  cases.push_back({"tricylinder", along_x & along_y & along_z,
+  cases.push_back({"tricylinder",
+                   along_x & along_y & along_z,
                    {8 * (2 - std::sqrt(2.0)), 24 * (2 - std::sqrt(2.0)), {}, {NAN, NAN, NAN, 0, 0, 0}}});
   Known bored = known_box({2, 2, 1});
   const double hole = pi * 0.25;
@@ -116,8 +120,9 @@ std::vector<Case> other_solids() {
   bored.inertia[2] -= hole * 0.25 / 2;
   cases.push_back({"box with a bore", box({2, 2, 1}, centered) - cylinder(2, 0.5, 0.5, centered), bored});
   Known flush = known_box({2, 1, 1});
-  cases.push_back({"two flush cubes", shifted(box({1, 1, 1}, centered), {-0.5, 0, 0}) +
-                                          shifted(box({1, 1, 1}, centered), {0.5, 0, 0}), flush});
+  cases.push_back({"two flush cubes",
+                   shifted(box({1, 1, 1}, centered), {-0.5, 0, 0}) + shifted(box({1, 1, 1}, centered), {0.5, 0, 0}),
+                   flush});
   // A wall of half its thickness on either side of what is cut away.
   Known frame = known_box({2, 2, 2});
   const Known cavity = known_box({1, 1, 1});
@@ -127,11 +132,15 @@ std::vector<Case> other_solids() {
   cases.push_back({"hollow box", box({2, 2, 2}, centered) - box({1, 1, 1}, centered), frame});
   // x² + 4 y² <= 1, |z| <= 1/2: an elliptic cylinder.
   const double ellipse = pi / 2;
-  cases.push_back({"elliptic cylinder", quadric({1, 4, 0, 0, 0, 0}, {0, 0, 0}, -1) & box({4, 4, 1}, centered),
-                   {ellipse, 0, {}, {ellipse * (0.25 / 4 + 1.0 / 12), ellipse * (1.0 / 4 + 1.0 / 12),
-                                     ellipse * (1.25 / 4), 0, 0, 0}}});
+  cases.push_back({"elliptic cylinder",
+                   quadric({1, 4, 0, 0, 0, 0}, {0, 0, 0}, -1) & box({4, 4, 1}, centered),
+                   {ellipse,
+                    0,
+                    {},
+                    {ellipse * (0.25 / 4 + 1.0 / 12), ellipse * (1.0 / 4 + 1.0 / 12), ellipse * (1.25 / 4), 0, 0, 0}}});
   // z between -1 and x y over the unit square: a hyperbolic paraboloid on top.
-  cases.push_back({"saddle", quadric({0, 0, 0, -0.5, 0, 0}, {0, 0, 1}, 0) & shifted(box({1, 1, 3}), {0, 0, -1}),
+  cases.push_back({"saddle",
+                   quadric({0, 0, 0, -0.5, 0, 0}, {0, 0, 1}, 0) & shifted(box({1, 1, 3}), {0, 0, -1}),
                    {1.25, 0, {0, 0, 0}, {NAN, NAN, NAN, NAN, NAN, NAN}}});
   cases.back().known.centroid = {(0.5 + 1.0 / 6) / 1.25, (0.5 + 1.0 / 6) / 1.25, (-0.5 + 1.0 / 18) / 1.25};
   return cases;
