@@ -40,6 +40,7 @@ std::string certain_digits(double value, double error) {
 }
 
 std::string with_error(double value, double error) {
+  if (error == 0) return number(value);
   return fmt::format("{} ± {:.2g}", certain_digits(value, error), error);
 }
 

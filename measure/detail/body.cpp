@@ -8,7 +8,8 @@ namespace {
 
 // Of sums of positive numbers.
 constexpr double rounding_up = 1 + 0x1p-20;
-// Of what is turned and scaled, relative to the sum of the magnitudes of its terms.
+// Of what is turned and scaled, relative to the sum of the magnitudes of its terms; coordinates are within 4 and mostly
+// 1 of the frame's center.
 constexpr double rounding = 0x1p-46;
 
 }  // namespace
@@ -24,13 +25,16 @@ Body& Body::operator+=(const Body& other) {
 Body body_of(const Space& space, const Totals& totals, double density) {
   const auto axes = space.axes();
   const Moments& m = totals.moments;
+  // Sums of terms of either sign round by what their magnitudes come to.
+  const double reach = std::fmax(longest(space.box().lower), longest(space.box().upper));
+  const double rounded = rounding * m.volume * std::fmax(reach, reach * reach);
   Body body;
   body.moments.volume = density * m.volume;
   body.mass_error = density * rounding_up * (totals.volume_error + rounding * m.volume);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       body.moments.first[i] += density * axes[k][i] * m.first[k];
-      const double error = totals.first_error[k] + rounding * std::fabs(m.first[k]);
+      const double error = totals.first_error[k] + rounded;
       body.first_error[i] += density * rounding_up * std::fabs(axes[k][i]) * error;
     }
   }
@@ -41,7 +45,7 @@ Body body_of(const Space& space, const Totals& totals, double density) {
         const std::size_t from = Moments::of_axes(k, l);
         const double factor = density * axes[k][i] * axes[l][j];
         body.moments.second[at] += factor * m.second[from];
-        const double error = totals.second_error[from] + rounding * std::fabs(m.second[from]);
+        const double error = totals.second_error[from] + rounded;
         body.second_error[at] += rounding_up * std::fabs(factor) * error;
       }
     }
@@ -61,7 +65,7 @@ void tell_mass(const Frame& frame, const Body& body, Measures& measures) {
   for (std::size_t i = 0; i < 3; ++i) {
     c[i] = m.first[i] / mass;
     const double off = body.first_error[i] + std::fabs(c[i]) * body.mass_error;
-    c_error[i] = body.mass_error < mass ? off / (mass - body.mass_error) + rounding * std::fabs(c[i]) : HUGE_VAL;
+    c_error[i] = body.mass_error < mass ? off / (mass - body.mass_error) + rounding : HUGE_VAL;
     measures.centroid[i] = frame.center[i] + scale * c[i];
     const double error = rounding_up * scale * c_error[i] + 0x1p-52 * std::fabs(measures.centroid[i]);
     measures.centroid_error = std::fmax(measures.centroid_error, error);
@@ -74,7 +78,7 @@ void tell_mass(const Frame& frame, const Body& body, Measures& measures) {
     const double away = m.first[i] * c[j];
     central[k] = m.second[k] - away;
     central_error[k] = body.second_error[k] + body.first_error[i] * (std::fabs(c[j]) + c_error[j]) +
-                       std::fabs(m.first[i]) * c_error[j] + rounding * (std::fabs(m.second[k]) + std::fabs(away));
+                       std::fabs(m.first[i]) * c_error[j] + rounding * mass;
   }
   const double inertia_scale = std::ldexp(1.0, 5 * frame.exponent);
   for (std::size_t k = 0; k < 6; ++k) {

@@ -12,8 +12,9 @@
 namespace csgcast::detail {
 namespace {
 
-// Of the volume of a box, and of its surface: what cutting it into tetrahedra rounds (docs/measuring.md).
-constexpr double rounding = 0x1p-44;
+// What a tetrahedron's volume rounds, in units of the product of the box's half sides, and a triangle's area, in units
+// of the square of the longest (docs/measuring.md).
+constexpr double rounding = 0x1p-46;
 
 double longest_side(Vector half) { return std::fmax(half.x, std::fmax(half.y, half.z)); }
 
@@ -133,7 +134,7 @@ class FaceArea {
     const double displaced = projection * strips(i, axis, off_[i] / least_slope);
     const double projected = std::fmin(area / factor, projection);
     const double change = std::fmax(std::sqrt(high) - factor, factor - std::sqrt(low));
-    const double error = std::sqrt(high) * displaced + projected * change + rounding * surface_of(h);
+    const double error = std::sqrt(high) * displaced + projected * change;
     if (error > most) return {0.5 * most, 0.5 * most};
     return {area, error};
   }
@@ -189,7 +190,7 @@ Estimate linear_estimate(const PieceForms& forms) {
   const LinearCut cut = cut_linearly(all, forms.table, forms.half);
   Estimate e;
   e.moments = moved(cut.moments, forms.middle);
-  e.volume_error = (share + rounding) * forms.volume();
+  e.volume_error = (share + rounding * static_cast<double>(1 + cut.tetrahedra)) * forms.volume();
   e.reach = greatest_coordinates(forms);
   const FaceArea face_area(forms, all, std::span(off.data(), forms.count));
   for (std::size_t i = 0; i < forms.count; ++i) {
@@ -197,6 +198,8 @@ Estimate linear_estimate(const PieceForms& forms) {
     e.area += area;
     e.area_error += error;
   }
+  const double longest = longest_side(forms.half);
+  e.area_error += rounding * static_cast<double>(1 + cut.triangles) * longest * longest;
   return e;
 }
 

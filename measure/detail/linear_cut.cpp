@@ -41,6 +41,7 @@ class Cutter {
     const Vector sum = t[0] + t[1] + t[2] + t[3];
     Moments& m = result_.moments;
     m.volume += volume;
+    ++result_.tetrahedra;
     for (std::size_t i = 0; i < 3; ++i) m.first[i] += volume / 4 * sum[i];
     for (std::size_t k = 0; k < 6; ++k) {
       const auto [i, j] = Moments::pair[k];
@@ -55,6 +56,7 @@ class Cutter {
     if (change.is_never()) return;
     if (change.is_always()) {
       result_.areas[of] += area_of(t);
+      ++result_.triangles;
       return;
     }
     while (!change.depends_on(next)) ++next;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -23,10 +24,12 @@ struct LinearForm {
 struct LinearCut {
   Moments moments;                                   ///< of the points inside
   std::array<double, Piece::most_surfaces> areas{};  ///< of the faces in each plane: where the value changes across it
+  std::size_t tetrahedra = 0;                        ///< that were summed
+  std::size_t triangles = 0;
 };
 
-/// `table`: whether points are inside, by the signs of the forms (Piece::table). The sums are exact but for rounding:
-/// below 2^-44 of the box's volume and, for areas, of its surface (docs/measuring.md).
+/// `table`: whether points are inside, by the signs of the forms (Piece::table). The sums are exact but for rounding
+/// (docs/measuring.md).
 LinearCut cut_linearly(std::span<const LinearForm> forms, const TruthTable& table, Vector half);
 
 }  // namespace csgcast::detail

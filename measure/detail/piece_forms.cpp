@@ -68,7 +68,8 @@ Range PieceForms::bend_of(const LocalForm& form) const {
 }
 
 Range PieceForms::slope_of(const LocalForm& form, std::size_t axis) const {
-  double reach = 0;
+  // Of a polynomial of second degree the slope is at most 4 / h times its greatest value (Markov).
+  double reach = 4 * form.slack / half[axis];
   for (std::size_t j = 0; j < 3; ++j) reach += std::fabs(bend_along(form, axis, j)) * half[j] * (j == axis ? 2 : 1);
   return {form.gradient[axis] - reach, form.gradient[axis] + reach};
 }

@@ -38,7 +38,7 @@ struct PieceForms {
   double volume() const { return 8 * half.x * half.y * half.z; }
   /// What the second-degree terms come to in the box.
   Range bend_of(const LocalForm& form) const;
-  /// Of the part of a gradient along an axis.
+  /// Of the part of a gradient along an axis, of the exact form.
   Range slope_of(const LocalForm& form, std::size_t axis) const;
 
  private:

@@ -159,7 +159,7 @@ class Refinement {
       PieceCutter& cutter = cutters_.local();
       for (std::size_t k = range.begin(); k != range.end(); ++k) {
         const Part& part = parts_[chosen[k]];
-        auto [lower, upper] = cutter.cut(part.piece, part.estimate.split, place_of_cut(part));
+        auto [lower, upper] = cut(cutter, part);
         halves[k][0].piece = std::move(lower);
         halves[k][1].piece = std::move(upper);
         for (Part& half : halves[k]) half.estimate = estimate(space_, half.piece);
@@ -177,11 +177,22 @@ class Refinement {
     return true;
   }
 
-  // Not the middle: faces are likely there, and one along a cut is nobody's for sure.
-  static double place_of_cut(const Part& part) {
-    const double low = part.piece.box.lower[part.estimate.split];
-    const double high = part.piece.box.upper[part.estimate.split];
-    return low + 0.4887 * (high - low);
+  /// Crowded pieces are cut along each axis: what leaves the fewest surfaces in the halves is best, as for layers side
+  /// by side.
+  static std::pair<Piece, Piece> cut(PieceCutter& cutter, const Part& part) {
+    std::pair<Piece, Piece> best = cut(cutter, part.piece, part.estimate.split);
+    if (!part.piece.is_crowded()) return best;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (axis == part.estimate.split) continue;
+      std::pair<Piece, Piece> other = cut(cutter, part.piece, axis);
+      if (other.first.count + other.second.count < best.first.count + best.second.count) best = std::move(other);
+    }
+    return best;
+  }
+  // Not in the middle: faces are likely there, and one along a cut is nobody's for sure.
+  static std::pair<Piece, Piece> cut(PieceCutter& cutter, const Piece& piece, std::size_t axis) {
+    const double low = piece.box.lower[axis];
+    return cutter.cut(piece, axis, low + 0.4887 * (piece.box.upper[axis] - low));
   }
 
   // From the parts, not from what was added and taken away on the way.

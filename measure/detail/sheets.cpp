@@ -276,11 +276,13 @@ void SheetEstimator::add_slacks() {
   // Of a polynomial of second degree the slope is at most 4 / h times its greatest value (Markov).
   const double markov = 4 * std::sqrt(3.0) / least_side;
   double steepest = 0;  // area by its projection, summed over the sheets
+  double lifted = 0;    // what sheets may be displaced
   for (const auto& [surface, sheet, least_slope] : layout_.sheets()) {
     const double displaced = sheet.slack() / least_slope;
     const double steep = sheet.greatest_gradient({hx(), hy()}, 2 * hz()) / least_slope;
     const double turned_by = 2 * steep * (markov + sheet.greatest_bend() / least_slope);
     steepest += steep;
+    lifted += displaced;
     estimate_.volume_error += projection * (2 * displaced + rounding * z_reach_);
     estimate_.area_error += projection * (rounding * steep + turned_by * displaced);
   }
@@ -290,7 +292,8 @@ void SheetEstimator::add_slacks() {
     const double turned_by = 2 * steep * (markov + curve.x.greatest_bend() / curve.least_slope);
     estimate_.volume_error += 8 * hy() * hz() * displaced;
     estimate_.area_error += 4 * hy() * displaced * steepest;
-    if (curve.wall) estimate_.area_error += 4 * hy() * hz() * (rounding * steep + turned_by * displaced);
+    if (curve.wall)
+      estimate_.area_error += 4 * hy() * (hz() * (rounding * steep + turned_by * displaced) + steep * lifted);
   }
 }
 
