@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Checks the rules of the house that no compiler checks. Usage: check.py PROJECT_FOLDER
 
-Includes point down only, cli -> shade, measure, verify -> raycast -> csg; they start with the module's name; a .cpp includes its own header
+Includes point down only, cli -> shade, measure, query, verify -> raycast -> csg; they start with the module's name; a .cpp includes its own header
 first. What is below MODULE/detail/ is included by that module and by the tests, never by a public header. Each library of a kind
 of picture is seen by one file of shade/, CGAL only by the tests. No file is longer than 400 lines, no function longer than 60 unless a comment
 `// long: REASON` stands right above it or inside it. Prints file:line: breach for each, and exits 1 if there is one.
@@ -11,9 +11,9 @@ import re
 import sys
 from pathlib import Path
 
-BELOW = {"csg": [], "raycast": ["csg"], "shade": ["csg", "raycast"], "measure": ["csg", "raycast"],
+BELOW = {"csg": [], "raycast": ["csg"], "shade": ["csg", "raycast"], "measure": ["csg", "raycast"], "query": ["csg", "raycast"],
          "verify": ["csg", "raycast"],
-         "cli": ["csg", "raycast", "shade", "measure", "verify"]}  # what each module may include besides itself
+         "cli": ["csg", "raycast", "shade", "measure", "query", "verify"]}  # what each module may include besides itself
 MODULES = list(BELOW)
 FOLDERS = MODULES + ["tests", "examples"]
 MAX_FILE, MAX_FUNCTION = 400, 60

@@ -23,7 +23,8 @@ void check_halves(const detail::Estimate& whole, const detail::Estimate& a, cons
   const double area_error = whole.area_error + a.area_error + b.area_error;
   CHECK(std::fabs(a.area + b.area - whole.area) <= area_error + 1e-16);
   for (std::size_t i = 0; i < 3; ++i) {
-    const double error = whole.volume_error * whole.reach[i] + a.volume_error * a.reach[i] + b.volume_error * b.reach[i];
+    const double error =
+        whole.volume_error * whole.reach[i] + a.volume_error * a.reach[i] + b.volume_error * b.reach[i];
     CHECK(std::fabs(a.moments.first[i] + b.moments.first[i] - whole.moments.first[i]) <= error + 1e-16);
     const double square = whole.volume_error * whole.reach[i] * whole.reach[i] +
                           a.volume_error * a.reach[i] * a.reach[i] + b.volume_error * b.reach[i] * b.reach[i];
@@ -87,8 +88,8 @@ TEST_CASE("Pieces of random solids have the tree's values at random points") {
     Piece piece = cutter.whole();
     for (int level = 0; level < 24 && !piece.is_constant(); ++level) {
       const std::size_t axis = random.index(3);
-      const double at = piece.box.lower[axis] +
-                        random.number(0.3, 0.7) * (piece.box.upper[axis] - piece.box.lower[axis]);
+      const double at =
+          piece.box.lower[axis] + random.number(0.3, 0.7) * (piece.box.upper[axis] - piece.box.lower[axis]);
       auto [lower, upper] = cutter.cut(piece, axis, at);
       piece = random.index(2) == 0 ? lower : upper;
       if (piece.is_crowded()) continue;
