@@ -208,7 +208,8 @@ IntervalTable Model::intervals(const Rays& rays, const QueryOptions& options) co
         table.leaves[at] = face.leaf.index();
         table.parts[at] = face.leaf.valid() ? scene().leaf(face.leaf).part.index() : no_id;
       }
-      for (std::size_t axis = 0; options.normals && axis < 3; ++axis) table.normals[3 * at + axis] = face.normal[axis];
+      for (std::size_t axis = 0; options.normals && axis < 3; ++axis)
+        table.normals[3 * at + axis] = face.normal[axis] + 0.0;  // no -0
     }
     of = {};
   });

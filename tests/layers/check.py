@@ -13,7 +13,8 @@ from pathlib import Path
 
 BELOW = {"csg": [], "raycast": ["csg"], "shade": ["csg", "raycast"], "measure": ["csg", "raycast"], "query": ["csg", "raycast"],
          "verify": ["csg", "raycast"],
-         "cli": ["csg", "raycast", "shade", "measure", "query", "verify"]}  # what each module may include besides itself
+         "cli": ["csg", "raycast", "shade", "measure", "query", "verify"],
+         "python": ["csg", "raycast", "shade", "measure", "query"]}  # what each module may include besides itself
 MODULES = list(BELOW)
 FOLDERS = MODULES + ["tests", "examples"]
 MAX_FILE, MAX_FUNCTION = 400, 60

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: MIT
+"""Constructive solid geometry along rays: certified intervals, measures with error bounds, pictures.
+
+    import csgcast, numpy as np
+    ball = csgcast.box([2, 2, 2], center=True) & csgcast.sphere(1.35)
+    bore = csgcast.cylinder(h=4, r=0.6, center=True)
+    model = (ball - bore - bore.rotate([90, 0, 0]) - bore.rotate([0, 90, 0])).compile()
+    hits = model.intervals(np.array([[0.8, 0.2, -5.0]]), np.array([0.0, 0.0, 1.0]))
+    hits.t          # shape (intervals, 2): entry and exit, each the double nearest to the exact t
+    model.measure(1e-9).volume
+
+Solids are immutable values; a compiled Model may be asked by any number of threads at once. Lengths are in the unit of the
+solids' numbers, angles in degrees. Errors in what is given raise csgcast.Error (a ValueError).
+"""
+from dataclasses import dataclass as _dataclass, field as _field
+
+from . import _core
+from ._core import (Cancelled, Error, Solid, __version__, box, complement, convex, cylinder, difference, ellipsoid, empty,
+                    everything, halfspace, hyperboloid, intersection, paraboloid, quadric, sphere, union)
+
+__all__ = ["Cancelled", "Error", "Hits", "Intervals", "Measures", "Model", "Scene", "Solid", "__version__", "box", "complement", "convex",
+           "cylinder", "difference", "ellipsoid", "empty", "everything", "halfspace", "hyperboloid", "intersection", "load",
+           "paraboloid", "quadric", "read", "sphere", "union"]
+
+_inf = float("inf")
+
+
+@_dataclass(frozen=True, eq=False)
+class Intervals:
+    """Where rays are inside a solid. Those of ray i are rows offsets[i] to offsets[i + 1] of the other arrays, ascending.
+
+    offsets   (rays + 1,)       uint64
+    t         (intervals, 2)    entry and exit; where the ray was cut off the end of the span, or infinite
+    surfaces  (intervals, 2)    int32, the same number for the same surface; -1 where no surface makes the end
+    leaves    (intervals, 2)    int32, whose face it is: Model.leaf() names it; -1; None if faces were not asked for
+    parts     (intervals, 2)    int32, an index into Model.parts; -1 in no part; likewise
+    normals   (intervals, 2, 3) unit, out of the solid; zero where no surface makes the end; None if not asked for
+    """
+    offsets: object
+    t: object
+    surfaces: object
+    leaves: object
+    parts: object
+    normals: object
+
+    def __len__(self):
+        """How many rays there are."""
+        return len(self.offsets) - 1
+
+    def of(self, ray):
+        """The t of one ray's intervals: shape (its intervals, 2)."""
+        return self.t[int(self.offsets[ray]):int(self.offsets[ray + 1])]
+
+
+@_dataclass(frozen=True, eq=False)
+class Hits:
+    """Where rays first cross the boundary: t (rays,), inf without a hit; surfaces (rays,) int32, -1 without; is_entry
+    (rays,) bool, False where the ray starts inside and leaves, or misses."""
+    t: object
+    surfaces: object
+    is_entry: object
+
+
+@_dataclass(frozen=True, eq=False)
+class Measures:
+    """What a body comes to. The true value is within each error, rounding included.
+
+    centroid (3,) is the centre of mass, inertia (3, 3) the tensor about it; centroid_error and inertia_error are of each
+    number. bounds (2, 3) holds the solid, which is nowhere farther than bounds_error from a side; None if it is empty. Of a
+    solid that may be unbounded (is_bounded False) nothing is measured. parts: of each part as if it were alone, with
+    name and density; the whole's mass, centroid and inertia are those of the parts with their densities, the first where
+    they overlap, and of the rest with density 1.
+    """
+    is_bounded: bool
+    volume: float
+    volume_error: float
+    area: float
+    area_error: float
+    mass: float
+    mass_error: float
+    centroid: object
+    centroid_error: float
+    inertia: object
+    inertia_error: float
+    bounds: object
+    bounds_error: float
+    cells: int
+    as_asked: bool
+    name: str = ""
+    density: float = 1.0
+    parts: list = _field(default_factory=list)
+
+
+class Model:
+    """A solid made ready for questions. Made by Solid.compile() or Scene.compile().
+
+    weld: faces that were meant to coincide but differ by the rounding of the solid's own numbers become one (None), none
+    do (0), or those at most this share of the solid's size apart.
+
+    Arrays of rays have shape (rays, 3), or (3,) where all share one; other types are converted to doubles. Directions need
+    not be unit: t counts in units of them. progress(share_done) is called now and then; what it raises ends the query, and
+    so does Ctrl-C.
+    """
+
+    def __init__(self, solid, weld=None, _description=None):
+        self._model = _core._Model(solid, weld)
+        self._description = _description or _core._Description()
+
+    def intervals(self, origins, directions, *, t_min=0.0, t_max=_inf, line=False, faces=True, normals=True, progress=None):
+        """All intervals of each ray that lie in [t_min, t_max], or on its whole line, as Intervals. Without faces and normals
+        it is faster and takes a third of the memory."""
+        return Intervals(**self._model.intervals(origins, directions, t_min, t_max, line, faces, normals, progress))
+
+    def first_hits(self, origins, directions, *, t_min=0.0, t_max=_inf, progress=None):
+        """The first crossing of the boundary in [t_min, t_max], as Hits."""
+        return Hits(*self._model.first_hits(origins, directions, t_min, t_max, progress))
+
+    def any_hits(self, origins, directions, *, t_min=0.0, t_max=_inf, progress=None):
+        """Whether each ray meets the inside of the solid between t_min and t_max: (rays,) bool."""
+        return self._model.any_hits(origins, directions, t_min, t_max, progress)
+
+    def locate(self, points, *, progress=None):
+        """For each point 1 inside, 0 on the boundary, -1 outside: int8. Never falsely inside or outside."""
+        return self._model.locate(points, progress)
+
+    def measure(self, relative_error=1e-4, area_error=1e-3, *, progress=None):
+        """Volume, area, mass, centroid, inertia and bounds, as Measures; errors of volume and area relative to them are as
+        small as asked for if as_asked is True. progress is called with the volume's present relative error."""
+        whole = self._model.measure(relative_error, area_error, progress)
+        whole["parts"] = [Measures(**part) for part in whole["parts"]]
+        return Measures(**whole)
+
+    def render(self, width=800, height=600, *, samples=1, mode="shaded", camera=None, path=None, progress=None):
+        """A picture: float32, (height, width, 3) of linear light or of normals, (height, width) of depths, lengths or ids.
+        camera: {"eye": .., "look_at": .., "up": .., "fov": degrees, or "height": of a parallel one}; else the scene's, or
+        one that frames the solid. With path (.png, .jpg, .tif, .exr) it is written there instead."""
+        if path is not None:
+            _core._save_picture(self._model, self._description, str(path), width, height, samples, mode, camera, progress)
+            return None
+        return _core._render(self._model, self._description, width, height, samples, mode, camera, progress)
+
+    def leaf(self, index):
+        """What a leaf is and which statement made it: 'sphere at part.csg:3:5'."""
+        return self._model.leaf(index)
+
+    @property
+    def parts(self):
+        """The names of the parts, in file order."""
+        return self._model.part_names()
+
+    @property
+    def bounds(self):
+        """A box that holds the solid, (2, 3), quickly found and maybe wide: Model.measure().bounds is tight."""
+        return self._model.bounds()
+
+    @property
+    def counts(self):
+        """How many leaves, surfaces and cells, and the cells' bytes."""
+        return self._model.counts()
+
+    def __repr__(self):
+        counts = self.counts
+        return f"<csgcast.Model: {counts['leaves']} leaves, {counts['surfaces']} surfaces, {counts['cells']} cells>"
+
+
+class Scene:
+    """What a scene text holds: a solid, and camera and lights for pictures. Made by load() or read()."""
+
+    def __init__(self, description):
+        self._description = description
+
+    @property
+    def solid(self):
+        return self._description.solid
+
+    @property
+    def warnings(self):
+        """What is odd in the text but has a meaning: 'file:line:column: warning: ..'."""
+        return self._description.warnings
+
+    def compile(self, weld=None):
+        return Model(self._description.solid, weld, self._description)
+
+
+def load(path, facets="auto"):
+    """Reads a scene text (OpenSCAD's .csg, or csgcast's own). facets: which curved solids become polyhedra as in OpenSCAD:
+    those with $fn <= 16 ("auto"), all ("always"), none ("never")."""
+    return Scene(_core._load(str(path), facets))
+
+
+def read(text, facets="auto"):
+    """The same for a text in memory."""
+    return Scene(_core._read(text, facets))
+
+
+def _compile(self, weld=None):
+    """A Model of the solid, ready for questions; see Model for weld."""
+    return Model(self, weld)
+
+
+Solid.compile = _compile

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cmath>
+
+#include "csg/primitives.h"
+#include "csg/transform.h"
+#include "python/bind.h"
+
+namespace csgcast::python {
+namespace {
+
+using namespace py::literals;
+
+Centering centering(bool center) { return center ? Centering::centered : Centering::corner; }
+
+/// One number for all axes, or three.
+Vector sizes_from(const py::object& value, const char* name) {
+  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)) {
+    const double size = value.cast<double>();
+    return {size, size, size};
+  }
+  return vector_from(value, name);
+}
+
+/// A radius, or half a diameter.
+std::optional<double> radius_from(std::optional<double> radius, std::optional<double> diameter, const char* names) {
+  if (radius && diameter) throw py::value_error(std::string("give one of ") + names + ", not both");
+  if (diameter) return 0.5 * *diameter;
+  return radius;
+}
+
+Solid make_sphere(std::optional<double> r, std::optional<double> d) {
+  const auto radius = radius_from(r, d, "r and d");
+  return sphere(radius ? *radius : 1);
+}
+
+Solid make_cylinder(double h, std::optional<double> r, std::optional<double> r1, std::optional<double> r2, bool center,
+                    std::optional<double> d, std::optional<double> d1, std::optional<double> d2) {
+  const auto both = radius_from(r, d, "r and d");
+  const auto bottom = radius_from(r1, d1, "r1 and d1");
+  const auto top = radius_from(r2, d2, "r2 and d2");
+  const double fallback = both ? *both : 1;
+  return cylinder(h, bottom ? *bottom : fallback, top ? *top : fallback, centering(center));
+}
+
+Solid make_quadric(const Numbers& a, const py::object& b, double c) {
+  if (a.ndim() != 2 || a.shape(0) != 3 || a.shape(1) != 3) throw py::value_error("A must be a 3 x 3 matrix");
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if (a.at(i, j) != a.at(j, i)) throw py::value_error("A must be symmetric");
+    }
+  }
+  return quadric({a.at(0, 0), a.at(1, 1), a.at(2, 2), a.at(0, 1), a.at(0, 2), a.at(1, 2)}, vector_from(b, "b"), c);
+}
+
+Solid make_convex(const std::optional<Numbers>& points, const std::optional<Numbers>& planes) {
+  if (points.has_value() == planes.has_value()) throw py::value_error("give points or planes");
+  if (points) {
+    const auto numbers = triples_from(*points, "points");
+    std::vector<Point> corners;
+    for (std::size_t i = 0; i < numbers.size(); i += 3) corners.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    return convex_from_points(corners);
+  }
+  if (planes->ndim() != 2 || planes->shape(1) != 4) throw py::value_error("planes must have shape (count, 4)");
+  std::vector<PlaneEquation> equations;
+  for (py::ssize_t i = 0; i < planes->shape(0); ++i)
+    equations.push_back({{planes->at(i, 0), planes->at(i, 1), planes->at(i, 2)}, planes->at(i, 3)});
+  return convex_from_planes(equations);
+}
+
+std::vector<Solid> solids_from(const py::args& args) {
+  std::vector<Solid> solids;
+  for (const py::handle& arg : args) solids.push_back(arg.cast<Solid>());
+  return solids;
+}
+
+/// Throws ValueError for numbers that are none.
+Solid moved(const Solid& solid, const Transform& transform) {
+  if (!transform.is_finite())
+    throw py::value_error("a transform must not have entries that are infinite or no numbers");
+  return transformed(solid, transform);
+}
+
+Solid moved_by_matrix(const Solid& solid, const Numbers& m) {
+  const bool has_shape = m.ndim() == 2 && (m.shape(0) == 3 || m.shape(0) == 4) && m.shape(1) == 4;
+  if (!has_shape) throw py::value_error("the matrix must have shape (3, 4) or (4, 4)");
+  if (m.shape(0) == 4 && (m.at(3, 0) != 0 || m.at(3, 1) != 0 || m.at(3, 2) != 0 || m.at(3, 3) != 1))
+    throw py::value_error("the matrix must be affine: its last row 0, 0, 0, 1");
+  Transform transform;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 4; ++j) transform.entry[static_cast<std::size_t>(4 * i + j)] = m.at(i, j);
+  }
+  return moved(solid, transform);
+}
+
+/// Degrees about an axis, or about x, then y, then z.
+Solid rotated(const Solid& solid, const py::object& a, const py::object& v) {
+  if (py::isinstance<py::float_>(a) || py::isinstance<py::int_>(a)) {
+    const Vector axis = v.is_none() ? Vector{0, 0, 1} : vector_from(v, "v");
+    return moved(solid, rotation(a.cast<double>(), axis));
+  }
+  if (!v.is_none()) throw py::value_error("v goes with one angle, not with three");
+  return moved(solid, rotation(vector_from(a, "a")));
+}
+
+/// sRGB in [0, 1], as colours are written; alpha may be left out.
+Solid colored(const Solid& solid, const std::vector<double>& rgba) {
+  if (rgba.size() != 3 && rgba.size() != 4) throw py::value_error("a color has three or four numbers");
+  for (const double channel : rgba) {
+    if (!(channel >= 0 && channel <= 1)) throw py::value_error("a color's numbers are between 0 and 1");
+  }
+  const Rgb color{linear_from_srgb(rgba[0]), linear_from_srgb(rgba[1]), linear_from_srgb(rgba[2])};
+  return with_look(solid, {{}, Paint{color, rgba.size() == 4 ? rgba[3] : 1}});
+}
+
+Solid as_part(const Solid& solid, const std::string& name, double density) {
+  if (name.empty()) throw py::value_error("a part's name must not be empty");
+  if (!(density >= 0) || std::isinf(density)) throw py::value_error("a density must not be negative or infinite");
+  return named(solid, {name, density});
+}
+
+void bind_primitives(py::module_& m) {
+  m.def(
+      "box", [](const py::object& size, bool center) { return box(sizes_from(size, "size"), centering(center)); },
+      "size"_a = 1.0, "center"_a = false);
+  m.def("sphere", make_sphere, "r"_a = py::none(), py::kw_only(), "d"_a = py::none());
+  m.def("cylinder", make_cylinder, "h"_a = 1.0, "r"_a = py::none(), "r1"_a = py::none(), "r2"_a = py::none(),
+        "center"_a = false, py::kw_only(), "d"_a = py::none(), "d1"_a = py::none(), "d2"_a = py::none());
+  m.def(
+      "ellipsoid", [](const py::object& r) { return ellipsoid(vector_from(r, "r")); }, "r"_a);
+  m.def("paraboloid", paraboloid, "h"_a, "r"_a);
+  m.def("hyperboloid", hyperboloid, "h"_a, "r"_a, "waist"_a);
+  m.def("quadric", make_quadric, "A"_a, "b"_a, "c"_a);
+  m.def(
+      "halfspace", [](const py::object& n, double d) { return halfspace(vector_from(n, "n"), d); }, "n"_a, "d"_a);
+  m.def("convex", make_convex, "points"_a = py::none(), "planes"_a = py::none());
+  m.def("empty", [] { return Solid(); });
+  m.def("everything", [] { return Solid::everything(); });
+  m.def("union", [](const py::args& solids) { return unite(solids_from(solids)); });
+  m.def("intersection", [](const py::args& solids) { return intersect(solids_from(solids)); });
+  m.def("difference", [](const py::args& solids) { return subtract(solids_from(solids)); });
+  m.def(
+      "complement", [](const Solid& solid) { return complement(solid); }, "solid"_a);
+}
+
+}  // namespace
+
+void bind_solids(py::module_& m) {
+  py::class_<Solid>(m, "Solid")
+      .def(
+          "__add__", [](const Solid& a, const Solid& b) { return a + b; }, py::is_operator())
+      .def(
+          "__or__", [](const Solid& a, const Solid& b) { return a + b; }, py::is_operator())
+      .def(
+          "__sub__", [](const Solid& a, const Solid& b) { return a - b; }, py::is_operator())
+      .def(
+          "__and__", [](const Solid& a, const Solid& b) { return a & b; }, py::is_operator())
+      .def("__invert__", [](const Solid& a) { return complement(a); })
+      .def(
+          "translate", [](const Solid& s, const py::object& v) { return moved(s, translation(vector_from(v, "v"))); },
+          "v"_a)
+      .def("rotate", rotated, "a"_a, "v"_a = py::none())
+      .def(
+          "scale", [](const Solid& s, const py::object& v) { return moved(s, scaling(sizes_from(v, "v"))); }, "v"_a)
+      .def(
+          "mirror", [](const Solid& s, const py::object& v) { return moved(s, mirroring(vector_from(v, "v"))); }, "v"_a)
+      .def("transform", moved_by_matrix, "matrix"_a)
+      .def("part", as_part, "name"_a, "density"_a = 1.0)
+      .def("color", colored, "rgba"_a);
+  bind_primitives(m);
+}
+
+}  // namespace csgcast::python

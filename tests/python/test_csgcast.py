@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: MIT
+"""The Python module: answers as of the libraries, arrays of the shapes that are promised, errors that say what is wrong."""
+import ast
+import inspect
+import math
+import threading
+from pathlib import Path
+
+import csgcast
+import numpy as np
+import pytest
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+
+
+def angel():
+    bore = csgcast.cylinder(h=4, r=0.6, center=True)
+    ball = csgcast.box([2, 2, 2], center=True) & csgcast.sphere(1.35)
+    return ball - bore - bore.rotate([90, 0, 0]) - bore.rotate(90, [0, 1, 0])
+
+
+@pytest.fixture(scope="module")
+def model():
+    return angel().compile()
+
+
+def test_intervals_have_the_shapes_that_are_promised(model):
+    origins = np.array([[0.8, 0.2, -5], [0, 0, -5], [0.7, 0.7, -5]])
+    table = model.intervals(origins, [0, 0, 1])
+    assert len(table) == 3
+    assert table.offsets.tolist() == [0, 2, 2, 3]
+    assert table.offsets.dtype == np.uint64
+    assert table.t.shape == (3, 2) and table.t.dtype == np.float64
+    assert table.surfaces.shape == table.leaves.shape == table.parts.shape == (3, 2)
+    assert table.surfaces.dtype == table.leaves.dtype == table.parts.dtype == np.int32
+    assert table.normals.shape == (3, 2, 3)
+    assert table.of(1).shape == (0, 2)
+    assert table.of(0)[0].tolist() == [4, 5 - math.sqrt(0.36 - 0.04)]
+    assert np.allclose(np.linalg.norm(table.normals, axis=2), 1)
+    assert (table.parts == -1).all()
+    bare = model.intervals(origins, [0, 0, 1], faces=False, normals=False)
+    assert bare.leaves is None and bare.parts is None and bare.normals is None
+    assert np.array_equal(bare.t, table.t)
+
+
+def test_spans_and_lines(model):
+    ball = csgcast.sphere(1).compile()
+    assert ball.intervals([0, 0, 0], [0, 0, 2]).t.tolist() == [[0, 0.5]]
+    assert ball.intervals([0, 0, 0], [0, 0, 2], line=True).t.tolist() == [[-0.5, 0.5]]
+    assert ball.intervals([0, 0, 0], [0, 0, 2], t_min=-0.25, t_max=0.25).surfaces.tolist() == [[-1, -1]]
+    outside = (~csgcast.sphere(1)).compile().intervals([0, 0, 0], [0, 0, 1], line=True)
+    assert outside.t.tolist() == [[-np.inf, -1], [1, np.inf]]
+
+
+def test_hits_and_points(model):
+    rays = np.random.default_rng(1).normal(size=(5000, 3))
+    hits = model.first_hits(rays * 3, -rays)
+    table = model.intervals(rays * 3, -rays, faces=False, normals=False)
+    some = np.diff(table.offsets.astype(np.int64)) > 0
+    assert np.array_equal(np.isfinite(hits.t), some)
+    assert np.array_equal(model.any_hits(rays * 3, -rays), some)
+    first = table.offsets[:-1][some].astype(np.int64)
+    entered = hits.is_entry[some]
+    assert np.array_equal(hits.t[some][entered], table.t[first[entered], 0])
+    assert model.locate([[0.7, 0.7, 0.2], [0, 0, 0], [1, 0.8, 0.1], [9, 9, 9]]).tolist() == [1, -1, 0, -1]
+    assert model.locate([0.7, 0.7, 0.2]).tolist() == [1]
+
+
+def test_other_types_and_layouts_give_the_same(model):
+    origins = np.random.default_rng(2).normal(size=(100, 3)).astype(np.float32)
+    want = model.intervals(origins.astype(np.float64), [0.0, 0.0, 1.0]).t
+    assert np.array_equal(model.intervals(origins, np.array([0, 0, 1], dtype=np.int8)).t, want)
+    assert np.array_equal(model.intervals(np.asfortranarray(origins), [0, 0, 1]).t, want)
+    wide = np.zeros((100, 6), dtype=np.float32)
+    wide[:, ::2] = origins
+    assert np.array_equal(model.intervals(wide[:, ::2], [0, 0, 1]).t, want)
+    assert np.array_equal(model.intervals(origins.tolist(), [0, 0, 1]).t, want)
+
+
+def test_measures_hold():
+    ball = csgcast.sphere(2).translate([1, 2, 3]).part("ball", 3).compile()
+    m = ball.measure(1e-8)
+    assert m.as_asked and m.is_bounded
+    volume = 4 / 3 * math.pi * 8
+    assert abs(m.volume - volume) <= m.volume_error + 1e-14 <= 1e-6
+    assert abs(m.mass - 3 * volume) <= m.mass_error + 1e-13
+    assert np.abs(m.centroid - [1, 2, 3]).max() <= m.centroid_error + 1e-14
+    assert np.abs(m.inertia - np.eye(3) * 3 * volume * 2 / 5 * 4).max() <= m.inertia_error + 1e-12
+    assert np.abs(m.bounds - [[-1, 0, 1], [3, 4, 5]]).max() <= m.bounds_error + 1e-12
+    assert [part.name for part in m.parts] == ball.parts == ["ball"]
+    assert m.parts[0].density == 3
+    assert not csgcast.everything().compile().measure().is_bounded
+    assert csgcast.empty().compile().measure().bounds is None
+
+
+def test_scene_texts(tmp_path):
+    (tmp_path / "drilled.csg").write_text("difference() {\n  cube(2);\n  cylinder(h = 9, r = 0.5, $fn = 40);\n}\n")
+    model = csgcast.load(tmp_path / "drilled.csg").compile()
+    assert abs(model.measure(1e-6).volume - (8 - math.pi / 8)) < 8e-6
+    assert model.leaf(1) == f"cylinder at {tmp_path}/drilled.csg:3:3"
+    assert csgcast.load(EXAMPLES / "flange.csg").compile().parts
+    read = csgcast.read("cylinder(h = 2, r = 1, $fn = 6);")
+    assert read.warnings == []
+    hexagon = 1.5 * math.sqrt(3) * 2
+    assert abs(read.compile().measure(1e-9).volume - hexagon) < 1e-8
+    assert abs(csgcast.read("sphere(r = 0);").warnings[0].find("warning")) > 0
+    assert abs(csgcast.read("cylinder(h = 2, r = 1, $fn = 6);", facets="never").compile().measure(1e-6).volume - 2 * math.pi) < 1e-4
+
+
+def test_pictures(tmp_path, model):
+    picture = model.render(40, 30)
+    assert picture.shape == (30, 40, 3) and picture.dtype == np.float32
+    depth = model.render(40, 30, mode="depth", camera={"eye": [0, 0, 10], "look_at": [0, 0, 0], "height": 3})
+    assert depth.shape == (30, 40)
+    assert abs(depth[10, 10] - 9.15) < 0.02 and np.isinf(depth[15, 20])
+    model.render(40, 30, path=tmp_path / "a.png")
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+    with pytest.raises(csgcast.Error):
+        model.render(40, 30, path=tmp_path / "a.stl")
+
+
+def test_many_threads_may_ask_one_model(model):
+    origins = np.random.default_rng(3).normal(size=(20000, 3))
+    want = model.intervals(origins, [0, 0, 1]).t
+    found = []
+    threads = [threading.Thread(target=lambda: found.append(model.intervals(origins, [0, 0, 1]).t)) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(found) == 4 and all(np.array_equal(t, want) for t in found)
+
+
+def test_results_outlive_the_model():
+    t = csgcast.sphere(1).compile().intervals([0, 0, -5], [0, 0, 1]).t
+    assert t.tolist() == [[4, 6]]
+
+
+def test_progress_tells_and_what_it_raises_ends_the_query(model):
+    origins = np.zeros((200000, 3)) + [0.7, 0.7, -5]
+    shares = []
+    model.intervals(origins, [0, 0, 1], progress=shares.append)
+    assert shares == sorted(shares) and 0 < shares[0] <= shares[-1] <= 1
+
+    class Enough(Exception):
+        pass
+
+    def stop(share):
+        raise Enough
+
+    with pytest.raises(Enough):
+        model.intervals(origins, [0, 0, 1], progress=stop)
+    with pytest.raises(Enough):
+        model.measure(1e-9, progress=stop)
+    with pytest.raises(Enough):
+        model.render(400, 300, progress=stop)
+
+
+@pytest.mark.parametrize("call", [
+    lambda m: m.intervals([[0, 0]], [0, 0, 1]),
+    lambda m: m.intervals([[0, 0, 0], [1, 1, 1]], [[0, 0, 1], [0, 0, 1], [0, 0, 1]]),
+    lambda m: m.intervals([0, 0, 0], [0, 0, 0]),
+    lambda m: m.intervals([0, 0, math.nan], [0, 0, 1]),
+    lambda m: m.intervals([0, 0, 0], [0, 0, 1], t_min=2, t_max=1),
+    lambda m: m.locate([[0, 0, math.inf]]),
+    lambda m: m.measure(0),
+    lambda m: m.measure(math.nan),
+    lambda m: m.render(0, 10),
+    lambda m: m.render(mode="nice"),
+    lambda m: m.render(camera={"eye": [0, 0, 1]}),
+    lambda m: m.render(camera={"eye": [0, 0, 1], "look_at": [0, 0, 0], "zoom": 2}),
+    lambda m: csgcast.box([1, 2]),
+    lambda m: csgcast.box([1, 2, math.nan]),
+    lambda m: csgcast.sphere(1, d=2),
+    lambda m: csgcast.sphere(math.inf),
+    lambda m: csgcast.halfspace([0, 0, 0], 1),
+    lambda m: csgcast.quadric([[1, 2, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 0], -1),
+    lambda m: csgcast.convex(),
+    lambda m: csgcast.sphere(1).translate([0, 0, math.nan]),
+    lambda m: csgcast.sphere(1).transform([[1, 0, 0, 0]] * 2),
+    lambda m: csgcast.sphere(1).part(""),
+    lambda m: csgcast.sphere(1).part("a", -1),
+    lambda m: csgcast.sphere(1).color([1, 2, 3]),
+    lambda m: (csgcast.sphere(1).part("a") - csgcast.sphere(0.5)).compile(),
+    lambda m: csgcast.sphere(1).compile(weld=-1),
+    lambda m: csgcast.load("/nowhere/at/all.csg"),
+    lambda m: csgcast.read("cube(1"),
+    lambda m: csgcast.read("cube(1);", facets="some"),
+])
+def test_what_makes_no_sense_raises_value_error(model, call):
+    with pytest.raises(ValueError):
+        call(model)
+
+
+def test_errors_name_the_place():
+    with pytest.raises(csgcast.Error, match=r"<text>:2:1: error: .*teapot"):
+        csgcast.read("cube(1);\nteapot();")
+
+
+def test_operators_and_transforms():
+    a, b = csgcast.box(2), csgcast.box(2).translate([1, 0, 0])
+    volume = lambda solid: solid.compile().measure(1e-9).volume
+    assert volume(a + b) == pytest.approx(12) == volume(a | b) == volume(csgcast.union(a, b))
+    assert volume(a - b) == pytest.approx(4) == volume(csgcast.difference(a, b))
+    assert volume(a & b) == pytest.approx(4) == volume(csgcast.intersection(a, b))
+    assert volume(a & ~b) == pytest.approx(4)
+    assert volume(a.scale(0.5)) == pytest.approx(1) == volume(a.scale([0.5, 0.25, 1]))
+    assert volume(a.mirror([1, 0, 0]) & a) == 0
+    assert volume(a.transform([[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]])) == pytest.approx(16)
+    assert volume(csgcast.convex(points=[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])) == pytest.approx(1 / 6)
+    assert volume(csgcast.quadric(np.eye(3), [0, 0, 0], -1)) == pytest.approx(4 / 3 * math.pi)
+    assert volume(csgcast.cylinder(1, r1=1, r2=0)) == pytest.approx(math.pi / 3)
+    assert volume(csgcast.cylinder(d=2)) == pytest.approx(math.pi)
+    assert volume(csgcast.paraboloid(2, 1)) == pytest.approx(math.pi)
+    assert volume(csgcast.ellipsoid([1, 2, 3])) == pytest.approx(8 * math.pi)
+
+
+def test_stubs_name_what_there_is():
+    stubs = ast.parse(Path(csgcast.__file__).with_suffix(".pyi").read_text())
+    named = {n.name: n for n in stubs.body if isinstance(n, (ast.FunctionDef, ast.ClassDef))} | {"__version__": None}
+    assert set(named) == set(csgcast.__all__)
+    for name in ("Model", "Scene", "Solid", "Intervals"):
+        in_stubs = {n.name for n in named[name].body if isinstance(n, ast.FunctionDef)} - {"__init__"}
+        own = {k for k, v in vars(getattr(csgcast, name)).items() if callable(v) or isinstance(v, property)}
+        public = {k for k in own if not k.startswith("_")}
+        assert public == {k for k in in_stubs if not k.startswith("_")}
+    for name in ("intervals", "first_hits", "any_hits", "locate", "measure", "render"):
+        arguments = list(inspect.signature(getattr(csgcast.Model, name)).parameters)
+        stub = next(n for n in named["Model"].body if isinstance(n, ast.FunctionDef) and n.name == name)
+        assert arguments == [a.arg for a in stub.args.args + stub.args.kwonlyargs]
+        assert getattr(csgcast.Model, name).__doc__
