@@ -3,8 +3,8 @@
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/csgcast)
 
-install(TARGETS csgcast_csg csgcast_raycast csgcast_measure csgcast_query csgcast_shade csgcast_verify EXPORT csgcast-targets)
-install(DIRECTORY csg raycast measure query shade verify DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/csgcast
+install(TARGETS csgcast_csg csgcast_raycast csgcast_measure csgcast_query csgcast_capi csgcast_shade csgcast_verify EXPORT csgcast-targets)
+install(DIRECTORY csg raycast measure query capi shade verify DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/csgcast
         FILES_MATCHING PATTERN "*.h" PATTERN detail EXCLUDE)
 install(EXPORT csgcast-targets NAMESPACE csgcast:: DESTINATION ${package_dir})
 

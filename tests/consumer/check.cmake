@@ -18,3 +18,15 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${work}/build -G ${
     -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_PREFIX_PATH=${work}/prefix -D CMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${work}/build)
 run(${work}/build/consumer)
+
+# The example of a project, in C++ and in C.
+run(${CMAKE_COMMAND} -S ${examples}/consumer -B ${work}/plate -G ${generator}
+    -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_PREFIX_PATH=${work}/prefix -D CMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${work}/plate)
+file(READ ${expected} right)
+foreach(program plate plate_in_c)
+  execute_process(COMMAND ${work}/plate/${program} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT printed STREQUAL right)
+    message(FATAL_ERROR "${program} printed\n${printed}instead of\n${right}")
+  endif()
+endforeach()

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Runs `program`; fails unless its output is the text of the file `expected`. list_parts gets a scene of the folder `scenes`.
-set(arguments)
+# Runs `program` with `arguments`; fails unless its output is the text of the file `expected`. list_parts gets a scene of the folder `scenes`.
 if(program MATCHES "/list_parts$")
   set(arguments ${scenes}/flange.csg)
 endif()

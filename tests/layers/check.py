@@ -11,7 +11,7 @@ import re
 import sys
 from pathlib import Path
 
-BELOW = {"csg": [], "raycast": ["csg"], "shade": ["csg", "raycast"], "measure": ["csg", "raycast"], "query": ["csg", "raycast"],
+BELOW = {"csg": [], "raycast": ["csg"], "shade": ["csg", "raycast"], "measure": ["csg", "raycast"], "query": ["csg", "raycast"], "capi": ["csg", "raycast", "measure", "query"],
          "verify": ["csg", "raycast"],
          "cli": ["csg", "raycast", "shade", "measure", "query", "verify"],
          "python": ["csg", "raycast", "shade", "measure", "query"]}  # what each module may include besides itself

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef CSGCAST_CAPI_CSGCAST_H
+#define CSGCAST_CAPI_CSGCAST_H
+
+/* csgcast for C and for languages that call it: a model of a scene text, and questions to it.
+ *
+ * Functions return CSGCAST_OK or an error; then csgcast_last_error() of the same thread says what was wrong, why, and
+ * what to do. Numbers of points, origins and directions are 3 x count. A model may be asked by any number of threads at
+ * once. Lengths are in the scene's unit. */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum csgcast_status {
+  CSGCAST_OK = 0,
+  CSGCAST_FAILED = 1,   /* the machine: no memory */
+  CSGCAST_BAD_INPUT = 2 /* what was given */
+} csgcast_status;
+
+/* No surface, leaf or part. */
+#define CSGCAST_NONE UINT32_MAX
+
+typedef struct csgcast_model csgcast_model;
+
+/* The sentence that tells of the last error in this thread; "" if there was none. Valid until the thread's next call.
+ */
+const char* csgcast_last_error(void);
+/* "0.1.0" */
+const char* csgcast_version(void);
+
+/* Reads a scene text from a file, or from memory (`name` stands for the file in messages), and makes it ready. *model
+ * is NULL on failure. */
+csgcast_status csgcast_load(const char* path, csgcast_model** model);
+csgcast_status csgcast_read(const char* text, size_t length, const char* name, csgcast_model** model);
+/* NULL is nothing to free. */
+void csgcast_free(csgcast_model* model);
+
+/* The intervals of many rays: those of ray i are [offsets[i], offsets[i + 1]). Ends come in pairs, entry and exit: of
+ * interval k ends 2 k and 2 k + 1. t is the double nearest to the exact one; infinite, or where the span cut the ray
+ * off, with CSGCAST_NONE. Normals are unit and point out of the solid. */
+typedef struct csgcast_intervals {
+  size_t rays;
+  size_t count;             /* of intervals */
+  const uint64_t* offsets;  /* rays + 1 */
+  const double* t;          /* 2 x count */
+  const uint32_t* surfaces; /* 2 x count */
+  const uint32_t* leaves;   /* 2 x count */
+  const uint32_t* parts;    /* 2 x count: index into the parts, in file order */
+  const double* normals;    /* 6 x count */
+  void* memory;             /* csgcast's own */
+} csgcast_intervals;
+
+/* In [t_min, t_max]; 0 and INFINITY for rays, -INFINITY and INFINITY for lines. */
+csgcast_status csgcast_cast(const csgcast_model* model, size_t rays, const double* origins, const double* directions,
+                            double t_min, double t_max, csgcast_intervals* result);
+void csgcast_free_intervals(csgcast_intervals* result);
+
+/* 1 inside, 0 on the boundary, -1 outside: never falsely inside or outside. */
+csgcast_status csgcast_locate(const csgcast_model* model, size_t points, const double* coordinates, int8_t* result);
+
+/* True values are within the errors. Of a solid that may be unbounded numbers are infinite or none. */
+typedef struct csgcast_measures {
+  int is_bounded;
+  int is_as_asked; /* errors are as small as asked for */
+  double volume, volume_error;
+  double area, area_error;
+  double mass, mass_error;
+  double centroid[3], centroid_error; /* the centre of mass; of each coordinate */
+  double inertia[6], inertia_error;   /* xx, yy, zz, xy, xz, yz about the centroid; of each */
+  double lower[3], upper[3], bounds_error;
+} csgcast_measures;
+
+/* Of the whole solid; relative errors of volume and area, such as 1e-6 and 1e-3. */
+csgcast_status csgcast_measure(const csgcast_model* model, double relative_error, double area_error,
+                               csgcast_measures* result);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
