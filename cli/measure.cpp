@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/distinct_files.h"
 #include "cli/json.h"
+#include "cli/labelled_row.h"
 #include "cli/number.h"
 #include "cli/output.h"
 #include "cli/printable.h"
@@ -49,10 +50,6 @@ std::string with_error(Measured m) { return with_error(m.value, m.error); }
 template <class Triple>
 std::string coordinates(const Triple& t, double error) {
   return fmt::format("{}, {}, {}", certain_digits(t.x, error), certain_digits(t.y, error), certain_digits(t.z, error));
-}
-
-void append_row(std::string& out, std::string_view name, const std::string& content) {
-  out += fmt::format("{:<12}{}\n", name, content);
 }
 
 void append_measures(std::string& out, const Measures& m) {

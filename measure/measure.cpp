@@ -109,7 +109,7 @@ SceneMeasures measure(const Scene& scene, const MeasureOptions& options) {
     }
     before.push_back(part.node);
     if (!scene.node(part.node).box.is_null())
-      measure_body(Space(scene, part.node, std::move(others)), part.name.density, options, sum);
+      measure_body(Space(scene, part.node, others), part.name.density, options, sum);
   }
   if (has_rest(scene)) measure_body(Space(scene, scene.root(), before), 1, options, sum);
   detail::tell_mass(scene.frame(), sum, result.whole);

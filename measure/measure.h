@@ -39,7 +39,7 @@ struct Measures {
 
 struct MeasureOptions {
   double relative_error = 1e-4;       ///< of volumes, error / value
-  double relative_area_error = 1e-3;  ///< of areas, which take more pieces
+  double relative_area_error = 1e-3;  ///< of areas, which take more pieces; infinite: any
   /// The greatest number of pieces of a body, some 500 bytes each; then the bounds are what they are.
   std::size_t most_pieces = 4'000'000;
   /// Called now and then with a volume's present relative error; false: enough. May be empty.

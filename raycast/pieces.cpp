@@ -46,16 +46,50 @@ bool implies(const LocalForm& f, const LocalForm& g, Vector half) {
 
 }  // namespace
 
-Space::Space(const Scene& scene, NodeId node, std::vector<NodeId> less)
-    : node_(node), less_(std::move(less)), ground_(std::make_unique<const detail::CellGround>(scene, node)) {}
+Space::Space(const Scene& scene, NodeId node, std::span<const NodeId> less)
+    : ground_(std::make_shared<const detail::CellGround>(scene, node)),
+      formula_(std::make_shared<const detail::Formula>(detail::formula_of_difference(scene, node, less))),
+      box_(ground_->box),
+      is_bounded_(ground_->is_bounded) {
+  if (scene.node(node).box.is_null()) formula_ = std::make_shared<const detail::Formula>();
+}
+
+Space::Space(std::shared_ptr<const detail::CellGround> ground, detail::Formula formula, CellBox box)
+    : ground_(std::move(ground)), formula_(std::make_shared<const detail::Formula>(std::move(formula))), box_(box) {}
 
 Space::~Space() = default;
 Space::Space(Space&&) noexcept = default;
+Space::Space(const Space&) = default;
+
+Space Space::common(NodeId a, NodeId b) const {
+  const Box shared = csgcast::intersection(scene().node(a).box, scene().node(b).box);
+  if (shared.is_null()) return {ground_, detail::Formula(), ground_->box};
+  const bool is_bounded = shared.is_finite();
+  Space result(ground_, detail::formula_of_common(scene(), a, b), is_bounded ? ground_->box_of(shared) : ground_->box);
+  result.is_bounded_ = is_bounded;
+  return result;
+}
+
+Space Space::effect_of(LeafId leaf) const {
+  CellBox box = ground_->leaf_boxes[leaf.index()];
+  if (ground_->is_bounded) box = detail::intersection(ground_->box, box);
+  const Vector size = box.upper - box.lower;
+  const bool is_null = !(size.x > 0 && size.y > 0 && size.z > 0);
+  if (is_null) return {ground_, detail::Formula(), ground_->box};
+  detail::Formula near;
+  detail::Folder().fold(
+      *formula_, near,
+      [&](LeafId other) {
+        return detail::apart(ground_->leaf_boxes[other.index()], box) ? detail::Known::no : detail::Known::open;
+      },
+      [](const detail::Term&) { return detail::Known::open; });
+  Space result(ground_, detail::formula_of_effect(near, leaf), box);
+  result.is_bounded_ = longest(size) < HUGE_VAL;
+  return result;
+}
 
 const Scene& Space::scene() const { return ground_->scene; }
-bool Space::is_bounded() const { return ground_->is_bounded; }
-bool Space::is_empty() const { return scene().node(node_).box.is_null(); }
-const CellBox& Space::box() const { return ground_->box; }
+bool Space::is_empty() const { return formula_->is_constant() && !formula_->value; }
 const CellForm& Space::form(std::uint32_t surface) const { return ground_->forms[surface]; }
 bool Space::is_known(std::uint32_t surface) const { return scene().surfaces()[surface].in_range; }
 bool Space::is_plane(std::uint32_t surface) const { return scene().surfaces()[surface].kind == SurfaceKind::plane; }
@@ -253,11 +287,11 @@ PieceCutter::PieceCutter(PieceCutter&&) noexcept = default;
 
 Piece PieceCutter::whole() {
   const Space& space = state_->space;
-  const detail::Formula formula = detail::formula_of_difference(space.scene(), space.node(), space.less());
-  if (!formula.is_constant() && !space.is_empty()) return state_->fold(formula, space.box());
+  const detail::Formula& formula = *space.formula_;
+  if (!formula.is_constant()) return state_->fold(formula, space.box());
   Piece piece;
   piece.box = space.box();
-  piece.table = TruthTable::constant(formula.is_constant() && formula.value && !space.is_empty());
+  piece.table = TruthTable::constant(formula.value);
   return piece;
 }
 

@@ -46,19 +46,23 @@ class Space {
   /// The scene must outlive the space.
   explicit Space(const Scene& scene) : Space(scene, scene.root()) {}
   /// Of one of its nodes, less others.
-  Space(const Scene& scene, NodeId node, std::vector<NodeId> less = {});
+  Space(const Scene& scene, NodeId node, std::span<const NodeId> less = {});
   ~Space();
   Space(Space&&) noexcept;
+  Space(const Space&);
+
+  /// What two nodes share. Made from the whole solid's space, which is not needed any more then.
+  Space common(NodeId a, NodeId b) const;
+  /// Where the solid of this space would be another one without a leaf.
+  Space effect_of(LeafId leaf) const;
 
   const Scene& scene() const;
-  NodeId node() const { return node_; }
-  std::span<const NodeId> less() const { return less_; }
   /// False if the solid may be unbounded: then there are no pieces.
-  bool is_bounded() const;
+  bool is_bounded() const { return is_bounded_; }
   /// Known to hold nothing.
   bool is_empty() const;
   /// Holds the solid; within |u| <= 4.
-  const CellBox& box() const;
+  const CellBox& box() const { return box_; }
   /// A surface's form in these coordinates, up to a positive factor. `is_known` is false where the form decides
   /// nothing, as its numbers are out of range.
   const CellForm& form(std::uint32_t surface) const;
@@ -75,9 +79,13 @@ class Space {
   const detail::CellGround& ground() const { return *ground_; }
 
  private:
-  NodeId node_;
-  std::vector<NodeId> less_;
-  std::unique_ptr<const detail::CellGround> ground_;
+  friend class PieceCutter;
+  Space(std::shared_ptr<const detail::CellGround> ground, detail::Formula formula, CellBox box);
+
+  std::shared_ptr<const detail::CellGround> ground_;
+  std::shared_ptr<const detail::Formula> formula_;
+  CellBox box_;
+  bool is_bounded_ = true;
 };
 
 /// Cuts space into pieces; the working memory of one thread. The space must outlive it.

@@ -72,7 +72,7 @@ class Search {
     const PieceForms forms(space_, piece);
     double most = corner;
     if (!piece.is_crowded() && forms.are_known) {
-      if (middle > reached_ && is_inside(forms, {})) reached_ = middle - rounding;
+      if (middle > reached_ && forms.surely_hold({})) reached_ = middle - rounding;
       const std::optional<double> by_planes = most_by_planes(forms, middle);
       if (!by_planes) return;
       most = std::fmin(most, *by_planes + rounding);
@@ -103,25 +103,11 @@ class Search {
       const Vector d = corner->place + std::ldexp(1.0, exponent) * (corner->inner - corner->place);
       const double reach = middle + dot(direction_, d) - rounding;
       if (reach <= reached_) break;
-      if (!is_inside(forms, d)) continue;
+      if (!forms.surely_hold(d)) continue;
       reached_ = reach;
       break;
     }
     return middle + corner->reach;
-  }
-
-  static bool is_inside(const PieceForms& forms, Vector d) {
-    TruthTable table = forms.table;
-    for (std::size_t i = 0; i < forms.count; ++i) {
-      const LocalForm& f = forms.f[i];
-      double value = f.value + dot(f.gradient, d);
-      for (std::size_t k = 0; k < 6; ++k) {
-        const auto [a, b] = Moments::pair[k];
-        value += f.bend[k] * d[a] * d[b];
-      }
-      if (std::fabs(value) > 2 * f.slack) table = table.with(i, value > 0);
-    }
-    return table.is_always();
   }
 
   const Space& space_;

@@ -67,6 +67,19 @@ Range PieceForms::bend_of(const LocalForm& form) const {
   return range;
 }
 
+bool PieceForms::surely_hold(Vector d) const {
+  TruthTable values = table;
+  for (std::size_t i = 0; i < count; ++i) {
+    double value = f[i].value + dot(f[i].gradient, d);
+    for (std::size_t k = 0; k < 6; ++k) {
+      const auto [a, b] = Moments::pair[k];
+      value += f[i].bend[k] * d[a] * d[b];
+    }
+    if (std::fabs(value) > 2 * f[i].slack) values = values.with(i, value > 0);
+  }
+  return values.is_always();
+}
+
 Range PieceForms::slope_of(const LocalForm& form, std::size_t axis) const {
   // Of a polynomial of second degree the slope is at most 4 / h times its greatest value (Markov).
   double reach = 4 * form.slack / half[axis];

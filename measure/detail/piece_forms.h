@@ -40,6 +40,8 @@ struct PieceForms {
   Range bend_of(const LocalForm& form) const;
   /// Of the part of a gradient along an axis, of the exact form.
   Range slope_of(const LocalForm& form, std::size_t axis) const;
+  /// Whether a point of the box, from its middle, is inside for sure.
+  bool surely_hold(Vector d) const;
 
  private:
   void merge_twins();

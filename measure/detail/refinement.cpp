@@ -104,6 +104,7 @@ class Refinement {
     return volume_error() <= options_.relative_error * (std::fabs(now_.volume.value()) - volume_error());
   }
   bool area_is_as_asked() const {
+    if (std::isinf(options_.relative_area_error)) return true;
     return area_error() <= options_.relative_area_error * (now_.area.value() - area_error());
   }
   bool is_as_asked() const { return ranking_.empty() || (volume_is_as_asked() && area_is_as_asked()); }

@@ -67,6 +67,13 @@ void CellGround::place_leaves(NodeId node) {
   box = {solid.lower - more, solid.upper + more};
 }
 
+CellBox CellGround::box_of(const Box& world) const {
+  const CellBox straight = in_frame(world, scene.frame());
+  const Vector more{CellBuilder::beside, CellBuilder::beside, CellBuilder::beside};
+  const CellBox own = axes ? axes->holding(straight) : straight;
+  return {own.lower - more, own.upper + more};
+}
+
 // Where the axes are turned, as tight as those of the half-spaces allow that boxes have sides along.
 CellBox CellGround::box_of_leaf(const Leaf& leaf, const Box& world) const {
   const CellBox straight = in_frame(world, scene.frame());

@@ -59,6 +59,8 @@ struct CellGround {
   /// What a leaf's faces show wherever they are; not valid if that depends on the place. `one_region`: of whatever else
   /// is there nothing belongs to another region.
   LookId look_of(const Leaf& leaf, bool one_region) const;
+  /// The box, in the axes of the cells, that holds a box of the scene. Precondition: it is finite.
+  CellBox box_of(const Box& world) const;
 
  private:
   void place_leaves(NodeId node);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/detail/formula.h"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace csgcast::detail {
 namespace {
@@ -71,19 +73,73 @@ class Layout {
 
 }  // namespace
 
-Formula formula_of(const Scene& scene, NodeId node) { return formula_of_difference(scene, node, {}); }
+namespace {
 
-Formula formula_of_difference(const Scene& scene, NodeId node, std::span<const NodeId> less) {
+void append(Formula& whole, const Formula& operand) {
+  if (!operand.is_constant()) {
+    whole.terms.insert(whole.terms.end(), operand.terms.begin(), operand.terms.end());
+  } else {
+    whole.terms.push_back({1, 0, operand.value ? Term::Op::intersect : Term::Op::unite});  // of nothing
+  }
+}
+
+/// An operator over the operands that `add` lays out, folded.
+template <class Add>
+Formula joined(Term::Op op, Add&& add) {
   Formula whole;
-  whole.terms.push_back({1, 0, Term::Op::subtract});
-  Layout layout(scene, whole);
-  layout.run(node);
-  for (const NodeId other : less) layout.run(other);
+  whole.terms.push_back({1, 0, op});
+  add(whole);
   whole.terms.front().size = static_cast<std::uint32_t>(whole.terms.size());
   Formula folded;
   Folder().fold(
       whole, folded, [](LeafId) { return Known::open; }, [](const Term&) { return Known::open; });
   return folded;
+}
+
+Formula difference(const Formula& from, const Formula& less) {
+  return joined(Term::Op::subtract, [&](Formula& whole) {
+    append(whole, from);
+    append(whole, less);
+  });
+}
+
+}  // namespace
+
+Formula formula_of(const Scene& scene, NodeId node) { return formula_of_difference(scene, node, {}); }
+
+Formula formula_of_difference(const Scene& scene, NodeId node, std::span<const NodeId> less) {
+  return joined(Term::Op::subtract, [&](Formula& whole) {
+    Layout layout(scene, whole);
+    layout.run(node);
+    for (const NodeId other : less) layout.run(other);
+  });
+}
+
+Formula formula_of_common(const Scene& scene, NodeId a, NodeId b) {
+  return joined(Term::Op::intersect, [&](Formula& whole) {
+    Layout layout(scene, whole);
+    layout.run(a);
+    layout.run(b);
+  });
+}
+
+Formula formula_of_effect(const Formula& with, LeafId leaf) {
+  Formula without;
+  Folder().fold(
+      with, without, [&](LeafId id) { return id == leaf ? Known::no : Known::open; },
+      [](const Term&) { return Known::open; });
+  const auto own = std::find_if(with.terms.begin(), with.terms.end(), [&](const Term& term) {
+    return term.op == Term::Op::leaf && LeafId(term.what) == leaf;
+  });
+  if (own == with.terms.end()) return {};
+  // Inside the leaf, where one of the two holds and the other does not.
+  return joined(Term::Op::intersect, [&](Formula& whole) {
+    whole.terms.insert(whole.terms.end(), own, own + own->size);
+    append(whole, joined(Term::Op::unite, [&](Formula& either) {
+             append(either, difference(with, without));
+             append(either, difference(without, with));
+           }));
+  });
 }
 
 void Folder::begin(const Formula& from, Formula& result) {

@@ -35,6 +35,10 @@ struct Formula {
 Formula formula_of(const Scene& scene, NodeId node);
 /// The tree below one less those below others.
 Formula formula_of_difference(const Scene& scene, NodeId node, std::span<const NodeId> less);
+/// What is below both of two.
+Formula formula_of_common(const Scene& scene, NodeId a, NodeId b);
+/// Where a formula has another value without a leaf of it.
+Formula formula_of_effect(const Formula& with, LeafId leaf);
 
 /// What is known of a term where a formula is folded.
 enum class Known : std::uint8_t { no, yes, open };

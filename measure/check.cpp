@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "measure/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "measure/detail/shared_space.h"
+#include "raycast/caster.h"
+#include "raycast/interval_list.h"
+#include "raycast/pieces.h"
+
+namespace csgcast {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Finds the places on a line where two nodes are both inside.
+class CommonLine {
+ public:
+  explicit CommonLine(const Scene& scene) : caster_(scene) {}
+
+  std::optional<Point> operator()(NodeId a, NodeId b, Point through, Vector along) {
+    const Ray ray(through, along);
+    caster_.begin(ray);
+    caster_.intervals(a, of_a_, Span::line());
+    caster_.intervals(b, of_b_, Span::line());
+    combine<Intersection>(of_a_, of_b_, common_,
+                          [&](const Crossing& x, const Crossing& y) { return caster_.order(x, y); });
+    if (common_.empty()) return std::nullopt;
+    const auto width = [](const Interval& interval) { return interval.exit.t - interval.entry.t; };
+    const Interval widest = *std::max_element(common_.begin(), common_.end(),
+                                              [&](const auto& x, const auto& y) { return width(x) < width(y); });
+    const double from = std::fmax(caster_.reported(widest.entry).t, -0x1p100);
+    const double to = std::fmin(caster_.reported(widest.exit).t, 0x1p100);
+    return ray.at(0.5 * (from + to));
+  }
+
+ private:
+  Caster caster_;
+  IntervalList of_a_, of_b_, common_;
+};
+
+class Checker {
+ public:
+  Checker(const Scene& scene, const CheckOptions& options)
+      : scene_(scene), options_(options), space_(scene), lines_(scene) {}
+
+  CheckReport operator()() {
+    const Box& whole = scene_.node(scene_.root()).box;
+    report_.is_unbounded = !whole.is_null() && !whole.is_finite();
+    report_.is_empty = is_empty(scene_.root());
+    check_parts();
+    check_pairs();
+    check_leaves();
+    return std::move(report_);
+  }
+
+ private:
+  bool is_empty(NodeId node) {
+    const Box& box = scene_.node(node).box;
+    if (box.is_null()) return true;
+    if (!box.is_finite()) return false;
+    const Space space = space_.common(node, node);
+    const detail::SearchResult found =
+        detail::find_place(space, [&](Point through, Vector along) { return lines_(node, node, through, along); });
+    return !found.witness && found.most_volume == 0;
+  }
+
+  void check_parts() {
+    for (std::uint32_t i = 0; i < scene_.parts().size(); ++i) {
+      const NodeId node = scene_.parts()[i].node;
+      const Box& box = scene_.node(node).box;
+      if (!box.is_null() && !box.is_finite()) report_.unbounded.emplace_back(i);
+      if (is_empty(node)) report_.empty.emplace_back(i);
+    }
+  }
+
+  void check_pairs() {
+    const auto parts = scene_.parts();
+    // By their lower sides along x: those after one that begins behind its end share nothing with it.
+    std::vector<std::uint32_t> order(parts.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    const auto box = [&](std::uint32_t i) -> const Box& { return scene_.node(parts[i].node).box; };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return box(a).lower.x != box(b).lower.x ? box(a).lower.x < box(b).lower.x : a < b;
+    });
+    for (std::size_t k = 0; k < order.size() && tell(0.5 * static_cast<double>(k) / static_cast<double>(order.size()));
+         ++k) {
+      for (std::size_t l = k + 1; l < order.size() && box(order[l]).lower.x <= box(order[k]).upper.x; ++l) {
+        if (intersection(box(order[k]), box(order[l])).is_null()) continue;
+        check_pair(PartId(std::min(order[k], order[l])), PartId(std::max(order[k], order[l])));
+      }
+    }
+    const auto by_parts = [](const auto& a, const auto& b) {
+      return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+    };
+    std::sort(report_.overlaps.begin(), report_.overlaps.end(), by_parts);
+    std::sort(report_.undecided.begin(), report_.undecided.end(), by_parts);
+  }
+
+  void check_pair(PartId first, PartId second) {
+    const NodeId a = scene_.parts()[first.index()].node;
+    const NodeId b = scene_.parts()[second.index()].node;
+    const auto test = [&](Point through, Vector along) { return lines_(a, b, through, along); };
+    const Space common = space_.common(a, b);
+    if (!common.is_bounded()) {
+      const std::optional<Point> witness = test(scene_.frame().center, {1, 0, 0});
+      if (witness)
+        report_.overlaps.push_back({first, second, {infinity, infinity}, *witness});
+      else
+        report_.undecided.push_back({first, second, infinity});
+      return;
+    }
+    const detail::SearchResult found = detail::find_place(common, test);
+    if (found.witness) {
+      report_.overlaps.push_back({first, second, detail::volume_of(common), *found.witness});
+    } else if (found.most_volume > 0) {
+      report_.undecided.push_back({first, second, found.most_volume});
+    }
+  }
+
+  void check_leaves() {
+    const std::size_t count = scene_.leaves().size();
+    report_.looked_at_leaves = count <= options_.most_leaves;
+    if (!report_.looked_at_leaves) return;
+    std::vector<bool> is_bounded(count);
+    for (const Node& node : scene_.nodes()) {
+      if (node.op == Node::Op::leaf) is_bounded[node.first] = node.box.is_finite() || node.box.is_null();
+    }
+    const detail::LineTest none = [](Point, Vector) { return std::optional<Point>(); };
+    for (std::uint32_t i = 0; i < count && tell(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(count)); ++i) {
+      if (!is_bounded[i]) continue;
+      const Space effect = space_.effect_of(LeafId(i));
+      if (!effect.is_bounded()) continue;
+      const detail::SearchResult found = detail::find_place(effect, none);
+      if (!found.witness && found.most_volume == 0) report_.without_effect.emplace_back(i);
+    }
+  }
+
+  bool tell(double done) const { return !options_.goes_on || options_.goes_on(done); }
+
+  const Scene& scene_;
+  const CheckOptions& options_;
+  Space space_;
+  CommonLine lines_;
+  CheckReport report_;
+};
+
+}  // namespace
+
+CheckReport check(const Scene& scene, const CheckOptions& options) { return Checker(scene, options)(); }
+
+}  // namespace csgcast
