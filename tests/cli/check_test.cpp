@@ -24,7 +24,7 @@ TEST_CASE("check tells of overlaps with a place, of empty and unbounded parts, a
   CHECK_FALSE(contains(outcome.out, "undecided"));
   CHECK(contains(outcome.out, "empty       part none\n"));
   CHECK(contains(outcome.out, "unbounded   part ground may be\n"));
-  CHECK(contains(outcome.out, "no effect   sphere at 6:32: without it the solid is the same\n"));
+  CHECK(contains(outcome.out, "no effect   sphere at 6:30: without it the solid is the same\n"));
   CHECK(contains(outcome.out, "welded      nothing\n"));
   const std::string json = run(folder, {"check", "scene.csg", "--format", "json"}).out;
   for (const char* key : {"overlaps", "undecided", "unbounded", "empty", "unbounded_parts", "empty_parts",
