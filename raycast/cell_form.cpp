@@ -26,7 +26,8 @@ LocalForm local_form(const CellForm& form, const CellBox& box) {
   const double slope = std::fabs(c[Form::x]) + std::fabs(c[Form::y]) + std::fabs(c[Form::z]);
   // Coordinates up to 8 may be off by 2^-49 each: that moves f by the gradient's bound times as much.
   local.slack =
-      detail::form_tolerance * ((bend * reach + slope) * (reach + 8) + bend * reach + std::fabs(c[Form::one]));
+      detail::form_tolerance * ((bend * reach + slope) * (reach + 8) + bend * reach + std::fabs(c[Form::one])) +
+      form.off;
   return local;
 }
 

@@ -13,6 +13,7 @@ namespace csgcast {
 struct CellForm {
   Surface::Coefficients c{};
   Vector center;
+  double off = 0;  ///< what it may differ by from the surface's, beyond the rounding of its numbers
 };
 
 /// An axis-aligned box in those coordinates; sides may be infinite.

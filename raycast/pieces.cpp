@@ -50,12 +50,16 @@ Space::Space(const Scene& scene, NodeId node, std::span<const NodeId> less)
     : ground_(std::make_shared<const detail::CellGround>(scene, node)),
       formula_(std::make_shared<const detail::Formula>(detail::formula_of_difference(scene, node, less))),
       box_(ground_->box),
+      node_(node),
       is_bounded_(ground_->is_bounded) {
   if (scene.node(node).box.is_null()) formula_ = std::make_shared<const detail::Formula>();
 }
 
-Space::Space(std::shared_ptr<const detail::CellGround> ground, detail::Formula formula, CellBox box)
-    : ground_(std::move(ground)), formula_(std::make_shared<const detail::Formula>(std::move(formula))), box_(box) {}
+Space::Space(std::shared_ptr<const detail::CellGround> ground, detail::Formula formula, CellBox box, NodeId node)
+    : ground_(std::move(ground)),
+      formula_(std::make_shared<const detail::Formula>(std::move(formula))),
+      box_(box),
+      node_(node) {}
 
 Space::~Space() = default;
 Space::Space(Space&&) noexcept = default;

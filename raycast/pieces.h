@@ -53,6 +53,9 @@ class Space {
 
   /// What two nodes share. Made from the whole solid's space, which is not needed any more then.
   Space common(NodeId a, NodeId b) const;
+  /// Its section with the plane normal . p = distance, of height 1: in coordinates x and y of the plane; no surface
+  /// depends on z, which goes from -1/2 to 1/2. Precondition: the space is bounded, the normal not zero.
+  Space section(Vector normal, double distance) const;
   /// Where the solid of this space would be another one without a leaf.
   Space effect_of(LeafId leaf) const;
 
@@ -80,11 +83,12 @@ class Space {
 
  private:
   friend class PieceCutter;
-  Space(std::shared_ptr<const detail::CellGround> ground, detail::Formula formula, CellBox box);
+  Space(std::shared_ptr<const detail::CellGround> ground, detail::Formula formula, CellBox box, NodeId node = {});
 
   std::shared_ptr<const detail::CellGround> ground_;
   std::shared_ptr<const detail::Formula> formula_;
   CellBox box_;
+  NodeId node_;  ///< if it is the space of one
   bool is_bounded_ = true;
 };
 

@@ -67,8 +67,16 @@ std::size_t bending_axis(const PieceForms& forms) {
         bends[axis] += share * std::fabs(bend_along(f, axis, j)) * forms.half[axis] * forms.half[j];
     }
   }
-  // Where they bend alike, the longest side.
-  for (std::size_t axis = 0; axis < 3; ++axis) bends[axis] += 1e-3 * forms.half[axis] / longest_side(forms.half);
+  // Where they bend alike, the longest side; never one along which nothing changes.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    bends[axis] += 1e-3 * forms.half[axis] / longest_side(forms.half);
+    bool changes = false;
+    for (std::size_t i = 0; i < forms.count; ++i) {
+      changes = changes || forms.f[i].gradient[axis] != 0;
+      for (std::size_t j = 0; j < 3; ++j) changes = changes || bend_along(forms.f[i], axis, j) != 0;
+    }
+    if (!changes) bends[axis] = -1;
+  }
   return longest_axis(bends);
 }
 

@@ -92,7 +92,7 @@ class PlaceSearch {
       if (added == 2 && holds_less(open_[before + 1], open_[before])) std::swap(open_[before], open_[before + 1]);
       candidate = std::move(open_.back());
       open_.pop_back();
-      std::push_heap(open_.begin(), open_.end(), holds_less);  // the other one, if there is one
+      if (added == 2) std::push_heap(open_.begin(), open_.end(), holds_less);  // the other one
     }
     open_.push_back(std::move(candidate));
     std::push_heap(open_.begin(), open_.end(), holds_less);

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "raycast/detail/cell_builder.h"
+#include "raycast/pieces.h"
+
+// The plane of a section as a space of its own.
+
+namespace csgcast {
+namespace {
+
+using Form = QuadricForm;
+
+/// Two directions square to a third, and that.
+detail::CellAxes axes_about(Vector normal) {
+  using Row = detail::CellAxes::Row;
+  const Vector unit = normalised(normal);
+  Row n{unit.x, unit.y, unit.z};
+  long double size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (long double& x : n) x /= size;
+  // The first along x or y as far as that goes: sections along the axes have the scene's own directions.
+  const std::size_t along = std::fabs(n[0]) < 0.9L && std::fabs(n[0]) <= std::fabs(n[1]) ? 0
+                            : std::fabs(n[2]) < 0.9L                                     ? 1
+                                                                                         : 0;
+  Row u{};
+  u[along] = 1;
+  const long double part = n[along];
+  for (std::size_t i = 0; i < 3; ++i) u[i] -= part * n[i];
+  size = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  for (long double& x : u) x /= size;
+  detail::CellAxes axes;
+  axes.rows = {u, Row{n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]}, n};
+  return axes;
+}
+
+/// The form at one height: it no longer depends on z.
+CellForm at_height(const CellForm& form, long double z, const CellBox& box) {
+  const auto& c = form.c;
+  const long double d = z - form.center.z;
+  CellForm flat = form;
+  flat.c[Form::one] = static_cast<double>((c[Form::zz] * d + c[Form::z]) * d + c[Form::one]);
+  flat.c[Form::x] = static_cast<double>(c[Form::x] + c[Form::xz] * d);
+  flat.c[Form::y] = static_cast<double>(c[Form::y] + c[Form::yz] * d);
+  flat.c[Form::zz] = flat.c[Form::xz] = flat.c[Form::yz] = flat.c[Form::z] = 0;
+  flat.center.z = 0;
+  CellBox there = box;
+  there.lower.z = there.upper.z = static_cast<double>(z);
+  flat.off = local_form(form, there).slack;
+  // A plane in that of the section: its side just beyond, along the normal, counts.
+  bool is_plane = true;
+  for (std::size_t i = 0; i < Form::x; ++i) is_plane = is_plane && c[i] == 0;
+  const double most = std::fabs(flat.c[Form::one]) + 8 * (std::fabs(flat.c[Form::x]) + std::fabs(flat.c[Form::y]));
+  if (is_plane && most <= 16 * flat.off) {
+    flat.c[Form::x] = flat.c[Form::y] = flat.off = 0;
+    flat.c[Form::one] = c[Form::z] > 0 ? 1 : -1;
+  }
+  return flat;
+}
+
+}  // namespace
+
+Space Space::section(Vector normal, double distance) const {
+  const Frame& frame = scene().frame();
+  const detail::CellAxes axes = axes_about(normal);
+  // Its distance from the frame's center, in units of the frame.
+  const int exponent = std::ilogb(longest(normal));
+  const Vector n{std::scalbn(normal.x, -exponent), std::scalbn(normal.y, -exponent), std::scalbn(normal.z, -exponent)};
+  long double height = std::scalbn(static_cast<long double>(distance), -exponent);
+  long double squared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    height -= static_cast<long double>(n[i]) * frame.center[i];
+    squared += static_cast<long double>(n[i]) * n[i];
+  }
+  height = std::scalbn(height / std::sqrt(squared), -frame.exponent);
+
+  auto ground = std::make_shared<detail::CellGround>(*ground_);
+  ground->axes = axes;
+  const auto across = [&](CellBox box) {
+    constexpr double margin = 0x1p-30;
+    const bool meets = height >= box.lower.z - margin && height <= box.upper.z + margin;
+    box.lower.z = meets ? -0.5 : 1;
+    box.upper.z = meets ? 0.5 : -1;
+    return box;
+  };
+  const CellBox whole = ground->box_of(scene().node(node_).box);
+  for (std::size_t i = 0; i < ground->forms.size(); ++i) {
+    const Surface& surface = scene().surfaces()[i];
+    ground->forms[i] = at_height(axes.turned({surface.local, surface.center}), height, whole);
+  }
+  for (const Node& node : scene().nodes()) {
+    if (node.op != Node::Op::leaf) continue;
+    constexpr Vector far{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    CellBox& box = ground->leaf_boxes[node.first];
+    box = node.box.is_finite() ? across(ground->box_of(node.box)) : CellBox{-far, far};
+  }
+  const CellBox box = across(whole);
+  const bool misses = box.lower.z > box.upper.z;
+  ground->box = misses ? CellBox{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}} : box;
+  const CellBox own = ground->box;
+  return Space(std::move(ground), misses ? detail::Formula() : *formula_, own, node_);
+}
+
+}  // namespace csgcast
