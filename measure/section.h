@@ -46,8 +46,8 @@ using SectionLoop = std::vector<SectionArc>;
 struct Section {
   bool is_bounded = true;
   Point origin{};  ///< of u and v: the place of the plane nearest to the scene's origin
-  Vector u{};      ///< unit, square to each other and to the normal, right-handed with it
-  Vector v{};
+  Vector u{};  ///< unit, square to v and to the normal, right-handed with them: horizontal if the normal is not upright
+  Vector v{};  ///< unit; upwards along z as far as that goes, or along y if the normal is upright
   Measured area;
   Measured perimeter;
   std::vector<SectionLoop> loops;

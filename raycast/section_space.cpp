@@ -11,25 +11,23 @@ namespace {
 
 using Form = QuadricForm;
 
-/// Two directions square to a third, and that.
+/// Two directions square to a third, and that: the second is upwards (z), or, seen from above or below, along y.
 detail::CellAxes axes_about(Vector normal) {
   using Row = detail::CellAxes::Row;
-  const Vector unit = normalised(normal);
-  Row n{unit.x, unit.y, unit.z};
-  long double size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  for (long double& x : n) x /= size;
-  // The first along x or y as far as that goes: sections along the axes have the scene's own directions.
-  const std::size_t along = std::fabs(n[0]) < 0.9L && std::fabs(n[0]) <= std::fabs(n[1]) ? 0
-                            : std::fabs(n[2]) < 0.9L                                     ? 1
-                                                                                         : 0;
-  Row u{};
-  u[along] = 1;
-  const long double part = n[along];
-  for (std::size_t i = 0; i < 3; ++i) u[i] -= part * n[i];
-  size = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-  for (long double& x : u) x /= size;
+  const auto unit = [](Row row) {
+    const long double size = std::sqrt(row[0] * row[0] + row[1] * row[1] + row[2] * row[2]);
+    for (long double& x : row) x /= size;
+    return row;
+  };
+  const Vector rounded = normalised(normal);
+  const Row n = unit({rounded.x, rounded.y, rounded.z});
+  const std::size_t up = std::fabs(n[2]) > 0.999L ? 1 : 2;
+  Row v{};
+  v[up] = 1;
+  for (std::size_t i = 0; i < 3; ++i) v[i] -= n[up] * n[i];
+  v = unit(v);
   detail::CellAxes axes;
-  axes.rows = {u, Row{n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]}, n};
+  axes.rows = {Row{v[1] * n[2] - v[2] * n[1], v[2] * n[0] - v[0] * n[2], v[0] * n[1] - v[1] * n[0]}, v, n};
   return axes;
 }
 
