@@ -19,6 +19,7 @@ namespace py = pybind11;
 /// Each adds its part to the module.
 void bind_solids(py::module_& module);
 void bind_queries(py::module_& module);
+void bind_shapes(py::module_& module);
 void bind_pictures(py::module_& module);
 
 /// Numbers as C-ordered doubles; others are converted.

@@ -12,5 +12,6 @@ PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = CSGCAST_VERSION;
   csgcast::python::bind_solids(m);
   csgcast::python::bind_queries(m);
+  csgcast::python::bind_shapes(m);
   csgcast::python::bind_pictures(m);
 }

@@ -18,7 +18,7 @@ from . import _core
 from ._core import (Cancelled, Error, Solid, __version__, box, complement, convex, cylinder, difference, ellipsoid, empty,
                     everything, halfspace, hyperboloid, intersection, paraboloid, quadric, sphere, union)
 
-__all__ = ["Cancelled", "Error", "Hits", "Intervals", "Measures", "Model", "Scene", "Solid", "__version__", "box", "complement", "convex",
+__all__ = ["Cancelled", "Check", "Error", "Hits", "Intervals", "Measures", "Model", "Scene", "Section", "Solid", "__version__", "box", "complement", "convex",
            "cylinder", "difference", "ellipsoid", "empty", "everything", "halfspace", "hyperboloid", "intersection", "load",
            "paraboloid", "quadric", "read", "sphere", "union"]
 
@@ -91,6 +91,39 @@ class Measures:
     parts: list = _field(default_factory=list)
 
 
+@_dataclass(frozen=True, eq=False)
+class Section:
+    """What a plane cuts out of a solid. The true area and perimeter are within their errors, ends of arcs within place_error of where
+    they should be. A place (a, b) of the plane is origin + a u + b v in space. loops: for each loop, the inside on its left,
+    points (arcs, 3, 2), the beginning, somewhere between and end of each; conics (arcs, 6), A to F of
+    A u^2 + B uv + C v^2 + D u + E v + F = 0; surfaces (arcs,)."""
+    is_bounded: bool
+    origin: object
+    u: object
+    v: object
+    area: float
+    area_error: float
+    perimeter: float
+    perimeter_error: float
+    place_error: float
+    is_closed: bool
+    loops: list
+
+
+@_dataclass(frozen=True, eq=False)
+class Check:
+    """What may be wrong with a solid. overlaps: (part, part, volume, its error, a place in both) of parts that share space, proved;
+    undecided: (part, part, the most that they may share); leaves_without_effect: without such a one, alone, the solid would be
+    the same, proved; Model.leaf() names it."""
+    overlaps: list
+    undecided: list
+    unbounded_parts: list
+    empty_parts: list
+    leaves_without_effect: list
+    is_unbounded: bool
+    is_empty: bool
+
+
 class Model:
     """A solid made ready for questions. Made by Solid.compile() or Scene.compile().
 
@@ -129,6 +162,14 @@ class Model:
         whole = self._model.measure(relative_error, area_error, progress)
         whole["parts"] = [Measures(**part) for part in whole["parts"]]
         return Measures(**whole)
+
+    def section(self, normal, distance=0.0, *, relative_error=1e-6):
+        """What the plane normal . p = distance cuts out, as Section. In the plane of a face it is what is just beyond it."""
+        return Section(**_core._section(self._model, normal, distance, relative_error))
+
+    def check(self, *, progress=None):
+        """Looks for parts that overlap, empty and unbounded parts, and leaves without effect: Check."""
+        return Check(**_core._check(self._model, progress))
 
     def render(self, width=800, height=600, *, samples=1, mode="shaded", camera=None, path=None, progress=None):
         """A picture: float32, (height, width, 3) of linear light or of normals, (height, width) of depths, lengths or ids.

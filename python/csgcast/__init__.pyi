@@ -83,6 +83,30 @@ class Measures:
     density: float = ...
     parts: list[Measures] = ...
 
+@dataclass(frozen=True, eq=False)
+class Section:
+    is_bounded: bool
+    origin: NDArray[np.float64]
+    u: NDArray[np.float64]
+    v: NDArray[np.float64]
+    area: float
+    area_error: float
+    perimeter: float
+    perimeter_error: float
+    place_error: float
+    is_closed: bool
+    loops: list[tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int32]]]
+
+@dataclass(frozen=True, eq=False)
+class Check:
+    overlaps: list[tuple[str, str, float, float, NDArray[np.float64]]]
+    undecided: list[tuple[str, str, float]]
+    unbounded_parts: list[str]
+    empty_parts: list[str]
+    leaves_without_effect: list[int]
+    is_unbounded: bool
+    is_empty: bool
+
 class Model:
     def __init__(self, solid: Solid, weld: Optional[float] = None) -> None: ...
     def intervals(self, origins: ArrayLike, directions: ArrayLike, *, t_min: float = 0.0, t_max: float = ...,
@@ -93,6 +117,8 @@ class Model:
                  progress: Progress = None) -> NDArray[np.bool_]: ...
     def locate(self, points: ArrayLike, *, progress: Progress = None) -> NDArray[np.int8]: ...
     def measure(self, relative_error: float = 1e-4, area_error: float = 1e-3, *, progress: Progress = None) -> Measures: ...
+    def section(self, normal: ArrayLike, distance: float = 0.0, *, relative_error: float = 1e-6) -> Section: ...
+    def check(self, *, progress: Progress = None) -> Check: ...
     def render(self, width: int = 800, height: int = 600, *, samples: int = 1, mode: str = "shaded",
                camera: Optional[Mapping[str, Any]] = None, path: Optional[Union[str, PathLike[str]]] = None,
                progress: Progress = None) -> Optional[NDArray[np.float32]]: ...

@@ -107,6 +107,32 @@ def test_scene_texts(tmp_path):
     assert abs(csgcast.read("cylinder(h = 2, r = 1, $fn = 6);", facets="never").compile().measure(1e-6).volume - 2 * math.pi) < 1e-4
 
 
+def test_sections():
+    solid = csgcast.box([2, 2, 2]) - csgcast.cylinder(h=9, r=0.5, center=True).translate([1, 1, 0])
+    s = solid.compile().section([0, 0, 1], 1, relative_error=1e-9)
+    assert abs(s.area - (4 - math.pi / 4)) <= s.area_error + 1e-14 < 1e-8
+    assert abs(s.perimeter - (8 + math.pi)) <= s.perimeter_error + 1e-13
+    assert s.is_closed and s.is_bounded and len(s.loops) == 2
+    assert s.u.tolist() == [1, 0, 0] and s.v.tolist() == [0, 1, 0] and s.origin.tolist() == [0, 0, 1]
+    for points, conics, surfaces in s.loops:
+        assert points.shape == (len(surfaces), 3, 2) and conics.shape == (len(surfaces), 6)
+        u, v = points[..., 0], points[..., 1]
+        a, b, c, d, e, f = (conics[:, i, None] for i in range(6))
+        assert np.abs(a * u * u + b * u * v + c * v * v + d * u + e * v + f).max() < 1e-9
+        assert np.allclose(points[:, 2], np.roll(points[:, 0], -1, axis=0), atol=1e-9)
+    assert solid.compile().section([0, 0, 1], 5).loops == []
+
+
+def test_checks():
+    parts = csgcast.box(1).part("a") + csgcast.box(1).translate([0.5, 0, 0]).part("b") + csgcast.box(1).translate([0, 1, 0]).part("c")
+    report = (parts + csgcast.sphere(0.1).translate([0.5, 0.5, 0.5])).compile().check()
+    assert [(a, b) for a, b, *_ in report.overlaps] == [("a", "b")]
+    _, _, volume, error, place = report.overlaps[0]
+    assert abs(volume - 0.5) <= error + 1e-15 and 0.5 <= place[0] <= 1
+    assert report.leaves_without_effect == [3] and not report.is_unbounded
+    assert csgcast.empty().compile().check().is_empty
+
+
 def test_pictures(tmp_path, model):
     picture = model.render(40, 30)
     assert picture.shape == (30, 40, 3) and picture.dtype == np.float32
@@ -165,6 +191,9 @@ def test_progress_tells_and_what_it_raises_ends_the_query(model):
     lambda m: m.locate([[0, 0, math.inf]]),
     lambda m: m.measure(0),
     lambda m: m.measure(math.nan),
+    lambda m: m.section([0, 0, 0], 1),
+    lambda m: m.section([0, 1], 1),
+    lambda m: m.section([0, 0, 1], math.nan),
     lambda m: m.render(0, 10),
     lambda m: m.render(mode="nice"),
     lambda m: m.render(camera={"eye": [0, 0, 1]}),
@@ -224,7 +253,7 @@ def test_stubs_name_what_there_is():
         own = {k for k, v in vars(getattr(csgcast, name)).items() if callable(v) or isinstance(v, property)}
         public = {k for k in own if not k.startswith("_")}
         assert public == {k for k in in_stubs if not k.startswith("_")}
-    for name in ("intervals", "first_hits", "any_hits", "locate", "measure", "render"):
+    for name in ("intervals", "first_hits", "any_hits", "locate", "measure", "section", "check", "render"):
         arguments = list(inspect.signature(getattr(csgcast.Model, name)).parameters)
         stub = next(n for n in named["Model"].body if isinstance(n, ast.FunctionDef) and n.name == name)
         assert arguments == [a.arg for a in stub.args.args + stub.args.kwonlyargs]
