@@ -9,6 +9,7 @@ namespace csgcast::cli {
 Command render_command(CLI::App& program);
 Command intervals_command(CLI::App& program);
 Command locate_command(CLI::App& program);
+Command thickness_command(CLI::App& program);
 Command section_command(CLI::App& program);
 Command check_command(CLI::App& program);
 Command measure_command(CLI::App& program);
