@@ -59,17 +59,17 @@ const char* csgcast_version(void) { return CSGCAST_VERSION; }
 
 csgcast_status csgcast_load(const char* path, csgcast_model** model) {
   return guarded([&] {
+    if (model != nullptr) *model = nullptr;
     require(path != nullptr && model != nullptr, "the path or the place for the model is NULL");
-    *model = nullptr;
     *model = made_of(text::read_file(path));
   });
 }
 
 csgcast_status csgcast_read(const char* text, size_t length, const char* name, csgcast_model** model) {
   return guarded([&] {
+    if (model != nullptr) *model = nullptr;
     require(text != nullptr && name != nullptr && model != nullptr,
             "the text, its name or the place for the model is NULL");
-    *model = nullptr;
     *model = made_of(text::read({text, length}, name));
   });
 }

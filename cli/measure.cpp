@@ -27,6 +27,15 @@ struct MeasureCommand {
   std::string output;
 };
 
+/// Of areas: they may be left open.
+double parse_area_error(const std::string& text) {
+  if (text == "inf") return HUGE_VAL;
+  const double share = parse_numbers("--area-error", text, 1)[0];
+  if (!(share > 0 && share < 1))
+    throw UsageError(fmt::format("--area-error {} is neither between 0 and 1 nor inf", text));
+  return share;
+}
+
 double parse_share(const std::string& option, const std::string& text) {
   const double share = parse_numbers(option, text, 1)[0];
   if (!(share > 0 && share < 1)) throw UsageError(fmt::format("{} {} is not between 0 and 1", option, text));
@@ -35,7 +44,8 @@ double parse_share(const std::string& option, const std::string& text) {
 
 /// A number with as many digits as it is certain of, and one more.
 std::string certain_digits(double value, double error) {
-  if (!std::isfinite(value) || !(error > 0) || !std::isfinite(error)) return number(value);
+  if (std::isinf(error)) return "unknown";
+  if (!std::isfinite(value) || !(error > 0)) return number(value);
   const int digits = static_cast<int>(std::ceil(std::log10(std::fmax(std::fabs(value) / error, 1)))) + 1;
   return fmt::format("{:.{}g}", value, std::min(digits, 17));
 }
@@ -52,8 +62,20 @@ std::string coordinates(const Triple& t, double error) {
   return fmt::format("{}, {}, {}", certain_digits(t.x, error), certain_digits(t.y, error), certain_digits(t.z, error));
 }
 
-void append_measures(std::string& out, const Measures& m) {
-  if (!m.is_bounded) return append_row(out, "volume", "none: the solid may be unbounded");
+/// `: halfspace at 3:1`, of the first leaf that is unbounded.
+std::string unbounded_leaf(const Scene& scene) {
+  for (const Node& node : scene.nodes()) {
+    if (node.op != Node::Op::leaf || node.box.is_finite() || node.box.is_null()) continue;
+    const Leaf& leaf = scene.leaf(LeafId(node.first));
+    return fmt::format(": {} at {}:{}", word(leaf.kind), leaf.place.line, leaf.place.column);
+  }
+  return "";
+}
+
+void append_measures(std::string& out, const Scene& scene, const Measures& m) {
+  if (!m.is_bounded)
+    return append_row(out, "volume",
+                      "none: the solid may be unbounded" + unbounded_leaf(scene) + "; measured are parts");
   append_row(out, "volume", with_error(m.volume));
   append_row(out, "area", with_error(m.area));
   append_row(out, "mass", with_error(m.mass));
@@ -71,16 +93,16 @@ void append_measures(std::string& out, const Measures& m) {
                                 : fmt::format("{}  to  {}  ± {:.2g}", coordinates(m.bounds.lower, m.bounds_error),
                                               coordinates(m.bounds.upper, m.bounds_error), m.bounds_error));
   append_row(out, "cells",
-             fmt::format("{}{}", m.pieces, m.is_as_asked ? "" : ": no more would have brought what was asked for"));
+             fmt::format("{}{}", m.pieces, m.is_as_asked ? "" : ": more would not have brought what was asked for"));
 }
 
 std::string as_text(const Scene& scene, const SceneMeasures& measures) {
   std::string out;
-  append_measures(out, measures.whole);
+  append_measures(out, scene, measures.whole);
   for (std::size_t i = 0; i < measures.parts.size(); ++i) {
     const PartName& part = scene.parts()[i].name;
     out += fmt::format("\npart {}, density {}\n", printable(part.name), number(part.density));
-    append_measures(out, measures.parts[i]);
+    append_measures(out, scene, measures.parts[i]);
   }
   return out;
 }
@@ -120,7 +142,7 @@ std::string as_json(const Scene& scene, const SceneMeasures& measures, double se
 void run(const MeasureCommand& command) {
   MeasureOptions job;
   job.relative_error = parse_share("--relative-error", command.relative_error);
-  job.relative_area_error = parse_share("--area-error", command.area_error);
+  job.relative_area_error = parse_area_error(command.area_error);
   check_distinct(std::array{NamedFile{"the scene", command.scene.path}}, std::array{NamedFile{"-o", command.output}});
   Output output(command.output);
   const SceneInput input = read_scene(command.scene);
@@ -152,7 +174,7 @@ Command measure_command(CLI::App& program) {
   line->add_option("--relative-error", options->relative_error, "Of the volume: error / value")
       ->type_name("E")
       ->capture_default_str();
-  line->add_option("--area-error", options->area_error, "Of the surface's area: error / value")
+  line->add_option("--area-error", options->area_error, "Of the surface's area: error / value; inf: any")
       ->type_name("E")
       ->capture_default_str();
   add_choice(*line, "--format", options->format, "The format of the output",

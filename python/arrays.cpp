@@ -15,6 +15,7 @@ Vector vector_from(const py::handle& value, const char* name) {
 }
 
 std::span<const double> triples_from(const Numbers& array, const char* name) {
+  if (array.size() == 0) return {};
   const bool is_one = array.ndim() == 1 && array.shape(0) == 3;
   const bool are_rows = array.ndim() == 2 && array.shape(1) == 3;
   if (!is_one && !are_rows) throw py::value_error(fmt::format("{} must have shape (count, 3), or (3,) for one", name));

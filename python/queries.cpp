@@ -19,8 +19,8 @@ class RayInput {
  public:
   RayInput(const Numbers& origins, const Numbers& directions)
       : origins_(triples_from(origins, "origins")), directions_(triples_from(directions, "directions")) {
-    spread(origins_, directions_, origins.ndim() == 1, memory_);
-    spread(directions_, origins_, directions.ndim() == 1, memory_);
+    spread(origins_, directions_, memory_);
+    spread(directions_, origins_, memory_);
     if (origins_.size() != directions_.size())
       throw py::value_error("origins and directions must be as many, or one of them for all");
   }
@@ -29,9 +29,8 @@ class RayInput {
   py::ssize_t count() const { return static_cast<py::ssize_t>(origins_.size() / 3); }
 
  private:
-  static void spread(std::span<const double>& one, std::span<const double> others, bool is_one,
-                     std::vector<double>& memory) {
-    if (!is_one || one.size() == others.size()) return;
+  static void spread(std::span<const double>& one, std::span<const double> others, std::vector<double>& memory) {
+    if (one.size() != 3 || one.size() == others.size()) return;
     memory.resize(others.size());
     for (std::size_t i = 0; i < memory.size(); ++i) memory[i] = one[i % 3];
     one = memory;

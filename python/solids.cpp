@@ -15,12 +15,20 @@ using namespace py::literals;
 
 Centering centering(bool center) { return center ? Centering::centered : Centering::corner; }
 
+/// A number of any kind, numpy's too; nothing for other things.
+std::optional<double> scalar_from(const py::object& value) {
+  if (PyNumber_Check(value.ptr()) == 0 || py::isinstance<py::str>(value)) return std::nullopt;
+  const Numbers array = Numbers::ensure(value);
+  if (!array || array.ndim() != 0) {
+    PyErr_Clear();
+    return std::nullopt;
+  }
+  return *array.data();
+}
+
 /// One number for all axes, or three.
 Vector sizes_from(const py::object& value, const char* name) {
-  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)) {
-    const double size = value.cast<double>();
-    return {size, size, size};
-  }
+  if (const std::optional<double> size = scalar_from(value)) return {*size, *size, *size};
   return vector_from(value, name);
 }
 
@@ -72,7 +80,12 @@ Solid make_convex(const std::optional<Numbers>& points, const std::optional<Numb
 
 std::vector<Solid> solids_from(const py::args& args) {
   std::vector<Solid> solids;
-  for (const py::handle& arg : args) solids.push_back(arg.cast<Solid>());
+  const auto add = [&](const py::handle& value) {
+    if (!py::isinstance<Solid>(value)) throw py::type_error("only solids, or one list of them, can be put together");
+    solids.push_back(value.cast<Solid>());
+  };
+  const bool is_list = args.size() == 1 && !py::isinstance<Solid>(args[0]) && py::isinstance<py::iterable>(args[0]);
+  for (const py::handle& value : is_list ? py::iter(args[0]) : py::iter(args)) add(value);
   return solids;
 }
 
@@ -97,9 +110,9 @@ Solid moved_by_matrix(const Solid& solid, const Numbers& m) {
 
 /// Degrees about an axis, or about x, then y, then z.
 Solid rotated(const Solid& solid, const py::object& a, const py::object& v) {
-  if (py::isinstance<py::float_>(a) || py::isinstance<py::int_>(a)) {
+  if (const std::optional<double> degrees = scalar_from(a)) {
     const Vector axis = v.is_none() ? Vector{0, 0, 1} : vector_from(v, "v");
-    return moved(solid, rotation(a.cast<double>(), axis));
+    return moved(solid, rotation(*degrees, axis));
   }
   if (!v.is_none()) throw py::value_error("v goes with one angle, not with three");
   return moved(solid, rotation(vector_from(a, "a")));
@@ -151,6 +164,11 @@ void bind_solids(py::module_& m) {
   py::class_<Solid>(m, "Solid")
       .def(
           "__add__", [](const Solid& a, const Solid& b) { return a + b; }, py::is_operator())
+      .def("__radd__",
+           [](const Solid& a, int zero) {  // sum() begins with 0
+             if (zero != 0) throw py::type_error("a number is no solid");
+             return a;
+           })
       .def(
           "__or__", [](const Solid& a, const Solid& b) { return a + b; }, py::is_operator())
       .def(

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "raycast/detail/form_range.h"
-
 namespace csgcast {
 
 LocalForm local_form(const CellForm& form, const CellBox& box) {
@@ -20,14 +18,24 @@ LocalForm local_form(const CellForm& form, const CellBox& box) {
                 (c[Form::yy] * p.y + c[Form::yz] * p.z + c[Form::y]) * p.y + (c[Form::zz] * p.z + c[Form::z]) * p.z +
                 c[Form::one];
   for (std::size_t i = 0; i < local.bend.size(); ++i) local.bend[i] = c[i];
-  const double reach = longest(p) + longest(half);
-  double bend = 0;
-  for (const double b : local.bend) bend += std::fabs(b);
-  const double slope = std::fabs(c[Form::x]) + std::fabs(c[Form::y]) + std::fabs(c[Form::z]);
-  // Coordinates up to 8 may be off by 2^-49 each: that moves f by the gradient's bound times as much.
-  local.slack =
-      detail::form_tolerance * ((bend * reach + slope) * (reach + 8) + bend * reach + std::fabs(c[Form::one])) +
-      form.off;
+  // What each term comes to at most; and what moving its argument by as much as coordinates round may change.
+  const Vector reach{std::fabs(p.x) + half.x, std::fabs(p.y) + half.y, std::fabs(p.z) + half.z};
+  const Vector middle = 0.5 * (box.upper + box.lower);
+  double magnitude = std::fabs(c[Form::one]);
+  double moved = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double slope = std::fabs(c[Form::x + i]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double bend = std::fabs(c[Form::second_degree(i, j)]) * reach[j];
+      slope += i == j ? 2 * bend : bend;
+      if (i <= j) magnitude += bend * reach[i];
+    }
+    magnitude += std::fabs(c[Form::x + i]) * reach[i];
+    moved += slope * (std::fabs(middle[i]) + std::fabs(form.center[i]) + half[i]);
+  }
+  // A coefficient's rounding and some twenty operations come to less than 2^-48 of all terms, the differences of
+  // coordinates to less than 2^-51 of these.
+  local.slack = 0x1p-47 * magnitude + 0x1p-50 * moved + form.off;
   return local;
 }
 

@@ -30,8 +30,8 @@ struct LocalForm {
   double slack = 0;              ///< more than the exact form of the surface differs from this one, anywhere in the box
 };
 
-/// Precondition: the box is finite. `slack` covers what the rounding of the form, of coordinates within |q| < 8 and of
-/// the sums may hide.
+/// Precondition: the box is finite. `slack` covers what the rounding of the form, of the box's middle and of the sums
+/// may hide.
 LocalForm local_form(const CellForm& form, const CellBox& box);
 
 }  // namespace csgcast

@@ -119,7 +119,7 @@ struct PieceCutter::State {
 
   detail::Sides sides_of(std::uint32_t surface, const CellBox& box) {
     if (!space.is_known(surface)) return detail::Sides::both;
-    return detail::sides_in(ground.forms[surface], box);
+    return detail::sides_within(ground.forms[surface], box);
   }
 
   detail::Sides remembered_sides(std::uint32_t surface, const CellBox& box) {

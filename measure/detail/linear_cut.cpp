@@ -9,16 +9,13 @@
 namespace csgcast::detail {
 namespace {
 
-double area_of(const Triangle& t) {
-  const Vector twice = cross(t[1] - t[0], t[2] - t[0]);
-  return 0.5 * std::sqrt(dot(twice, twice));
-}
-
 /// Cuts a box's tetrahedra by one plane after another. What is left of a table once the planes before have been
 /// decided goes along.
 class Cutter {
  public:
-  Cutter(std::span<const LinearForm> forms, LinearCut& result) : forms_(forms), result_(result) {}
+  Cutter(std::span<const LinearForm> forms, LinearCut& result) : forms_(forms), result_(result) {
+    for (std::size_t i = 0; i < forms.size(); ++i) units_[i] = normalised(forms[i].gradient);
+  }
 
   void add(const Tetrahedron& t, std::size_t next, const TruthTable& table) {
     if (table.is_never()) return;
@@ -37,7 +34,7 @@ class Cutter {
 
  private:
   void add_volume(const Tetrahedron& t) {
-    const double volume = std::fabs(dot(t[1] - t[0], cross(t[2] - t[0], t[3] - t[0]))) / 6;
+    const double volume = dot(t[1] - t[0], cross(t[2] - t[0], t[3] - t[0])) / 6;
     const Vector sum = t[0] + t[1] + t[2] + t[3];
     Moments& m = result_.moments;
     m.volume += volume;
@@ -55,7 +52,7 @@ class Cutter {
   void add_face(const Triangle& t, std::size_t of, std::size_t next, const TruthTable& change) {
     if (change.is_never()) return;
     if (change.is_always()) {
-      result_.areas[of] += area_of(t);
+      result_.areas[of] += 0.5 * dot(units_[of], cross(t[1] - t[0], t[2] - t[0]));
       ++result_.triangles;
       return;
     }
@@ -82,6 +79,7 @@ class Cutter {
   }
 
   std::span<const LinearForm> forms_;
+  std::array<Vector, Piece::most_surfaces> units_{};  // their gradients
   LinearCut& result_;
 };
 

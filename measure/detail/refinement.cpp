@@ -63,8 +63,13 @@ class Refinement {
     Part whole{cutters_.local().whole(), {}};
     whole.estimate = estimate(space_, whole.piece);
     keep(std::move(whole));
-    while (!is_as_asked() && is_worth_more() && refine()) {
-    }
+    do {
+      // Where faces nearly coincide, or are not resolved yet, cutting makes areas less certain.
+      if (area_error() < least_area_error_) {
+        least_area_error_ = area_error();
+        best_area_ = now_.area.value();
+      }
+    } while (!is_as_asked() && is_worth_more() && refine());
     return totals();
   }
 
@@ -72,6 +77,7 @@ class Refinement {
   // So many parts are cut side by side, unless they make up this share of the error.
   static constexpr std::size_t most_at_once = 4096;
   static constexpr double share_at_once = 0.25;
+  static constexpr std::size_t pieces_of_leaf = 512;
 
   struct Ranked {
     double blame;
@@ -128,16 +134,17 @@ class Refinement {
     std::make_heap(ranking_.begin(), ranking_.end());
   }
 
-  /// False when cutting has brought next to nothing for long: what is left is rounding, or a solid without volume.
+  /// False when cutting has brought next to nothing for long: what is left is rounding, or a solid without volume, or
+  /// faces that nearly coincide. Where there are many leaves it takes many pieces before any is resolved.
   bool is_worth_more() {
     rank_again();
     const double error = blames_volume_ ? volume_error() : area_error();
-    if (volume_error() <= 0x1p-50 * volume_of(space_.box())) return false;
+    if (volume_error() <= 0x1p-160 * volume_of(space_.box())) return false;
     if (error < 0.9 * last_error_) {
       last_error_ = error;
       pieces_then_ = pieces_;
     }
-    return pieces_ <= 4 * pieces_then_ + 8192;
+    return pieces_ <= 4 * pieces_then_ + 16384 + pieces_of_leaf * space_.scene().leaves().size();
   }
 
   /// Cuts the parts that are to blame most; false if there would be too many, or the caller has had enough.
@@ -214,10 +221,17 @@ class Refinement {
     result.area_error = sums.area_error.value();
     result.moments.volume = sums.volume.value();
     result.area = sums.area.value();
+    if (least_area_error_ < result.area_error) {
+      result.area = best_area_;
+      result.area_error = least_area_error_ + 0x1p-40 * best_area_;
+    }
     for (std::size_t i = 0; i < 3; ++i) result.moments.first[i] = sums.first[i].value();
     for (std::size_t i = 0; i < 6; ++i) result.moments.second[i] = sums.second[i].value();
     result.pieces = pieces_;
-    result.is_as_asked = is_as_asked();
+    const bool asks_for_area = !std::isinf(options_.relative_area_error) && !ranking_.empty();
+    const bool area_is_fine =
+        !asks_for_area || result.area_error <= options_.relative_area_error * (result.area - result.area_error);
+    result.is_as_asked = ranking_.empty() || (volume_is_as_asked() && area_is_fine);
     return result;
   }
 
@@ -235,6 +249,8 @@ class Refinement {
   double area_weight_ = 0;
   std::size_t ranked_at_ = 0;
   double last_error_ = HUGE_VAL;
+  double least_area_error_ = HUGE_VAL;
+  double best_area_ = 0;
   std::size_t pieces_then_ = 0;
 };
 

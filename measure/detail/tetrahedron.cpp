@@ -9,8 +9,8 @@ std::array<Tetrahedron, 5> tetrahedra_of_box(Vector half) {
                   (bits & 4) != 0 ? half.z : -half.z};
   };
   return {
-      Tetrahedron{corner(0), corner(1), corner(2), corner(4)}, Tetrahedron{corner(3), corner(1), corner(2), corner(7)},
-      Tetrahedron{corner(5), corner(1), corner(4), corner(7)}, Tetrahedron{corner(6), corner(2), corner(4), corner(7)},
+      Tetrahedron{corner(0), corner(1), corner(2), corner(4)}, Tetrahedron{corner(3), corner(2), corner(1), corner(7)},
+      Tetrahedron{corner(5), corner(1), corner(4), corner(7)}, Tetrahedron{corner(6), corner(4), corner(2), corner(7)},
       Tetrahedron{corner(1), corner(2), corner(4), corner(7)}};
 }
 

@@ -48,7 +48,11 @@ class Intervals:
         return len(self.offsets) - 1
 
     def of(self, ray):
-        """The t of one ray's intervals: shape (its intervals, 2)."""
+        """The t of one ray's intervals: shape (its intervals, 2). Negative numbers count from the end."""
+        count = len(self)
+        if not -count <= ray < count:
+            raise IndexError(f"there are {count} rays, no ray {ray}")
+        ray %= count
         return self.t[int(self.offsets[ray]):int(self.offsets[ray + 1])]
 
 

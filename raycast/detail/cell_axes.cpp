@@ -113,6 +113,11 @@ CellForm CellAxes::turned(const CellForm& form) const {
   result.c[Form::z] = linear.z;
   result.c[Form::one] = c[Form::one];
   result.center = turned(form.center);
+  // What is off 2^-58 of all, within 2 of the center.
+  double all = 0;
+  for (std::size_t i = 0; i < Form::x; ++i) all += 4 * std::fabs(form.c[i]);
+  for (std::size_t i = Form::x; i < Form::one; ++i) all += 2 * std::fabs(form.c[i]);
+  result.off = form.off + 0x1p-57 * all;
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace csgcast::detail {
 namespace {
@@ -57,12 +58,8 @@ Sides sides_far_out(const CellForm& form, const CellBox& box) {
   return Sides::both;
 }
 
-}  // namespace
-
-Sides sides_in(const CellForm& form, const CellBox& box) {
-  const Vector half = 0.5 * (box.upper - box.lower);
-  if (!is_finite(half)) return sides_far_out(form, box);
-  const LocalForm f = local_form(form, box);
+// By how much a form may fall below its value in the middle of a box, and rise above.
+std::pair<double, double> change_in(const LocalForm& f, Vector half) {
   const double mixed = std::fabs(f.bend[Form::xy]) * half.x * half.y + std::fabs(f.bend[Form::xz]) * half.x * half.z +
                        std::fabs(f.bend[Form::yz]) * half.y * half.z;
   double up = mixed;
@@ -71,8 +68,38 @@ Sides sides_in(const CellForm& form, const CellBox& box) {
     up += greatest(f.gradient[axis], f.bend[axis], half[axis]);
     down += greatest(f.gradient[axis], -f.bend[axis], half[axis]);
   }
+  return {down, up};
+}
+
+// Of places along rays, whose coordinates are up to 8 and may be off by 2^-49 each: that moves f by the gradient's
+// bound times as much.
+double slack_of_lines(const CellForm& form, const CellBox& box) {
+  const auto& c = form.c;
+  const double reach = longest(0.5 * (box.upper + box.lower) - form.center) + 0.5 * longest(box.upper - box.lower);
+  double bend = 0;
+  for (std::size_t i = 0; i < Form::x; ++i) bend += std::fabs(c[i]);
+  const double slope = std::fabs(c[Form::x]) + std::fabs(c[Form::y]) + std::fabs(c[Form::z]);
+  return form_tolerance * ((bend * reach + slope) * (reach + 8) + bend * reach + std::fabs(c[Form::one]));
+}
+
+}  // namespace
+
+Sides sides_within(const CellForm& form, const CellBox& box) {
+  const LocalForm f = local_form(form, box);
+  const auto [down, up] = change_in(f, 0.5 * (box.upper - box.lower));
   if (f.value - down > f.slack) return Sides::positive;
   if (f.value + up < -f.slack) return Sides::negative;
+  return Sides::both;
+}
+
+Sides sides_in(const CellForm& form, const CellBox& box) {
+  const Vector half = 0.5 * (box.upper - box.lower);
+  if (!is_finite(half)) return sides_far_out(form, box);
+  const LocalForm f = local_form(form, box);
+  const auto [down, up] = change_in(f, half);
+  const double slack = f.slack + slack_of_lines(form, box);
+  if (f.value - down > slack) return Sides::positive;
+  if (f.value + up < -slack) return Sides::negative;
   return Sides::both;
 }
 

@@ -18,5 +18,7 @@ enum class Sides : std::uint8_t { negative, positive, both };
 /// by more than what the rounding of the form, of the coordinates within |q| < 8 and of this function may hide. Exact
 /// up to that for planes and for forms without mixed terms.
 Sides sides_in(const CellForm& form, const CellBox& box);
+/// The same for places of the box itself, whose coordinates are exact. Precondition: it is finite.
+Sides sides_within(const CellForm& form, const CellBox& box);
 
 }  // namespace csgcast::detail

@@ -66,6 +66,23 @@ def test_hits_and_points(model):
     assert model.locate([0.7, 0.7, 0.2]).tolist() == [1]
 
 
+def test_numbers_and_lists_of_any_kind():
+    volume = lambda solid: solid.compile().measure(1e-9).volume
+    assert volume(csgcast.box(np.int64(2))) == pytest.approx(8) == volume(csgcast.box(np.float32(2)))
+    assert volume(csgcast.box(1).rotate(np.int64(90)) & csgcast.box(1)) == 0
+    boxes = [csgcast.box(1).translate([2 * i, 0, 0]) for i in range(4)]
+    assert volume(csgcast.union(boxes)) == pytest.approx(4) == volume(sum(boxes))
+    with pytest.raises(TypeError):
+        csgcast.union(boxes, 3)
+    model = csgcast.box(1).compile()
+    assert len(model.intervals([], [])) == 0 and len(model.intervals(np.zeros((0, 3)), [0, 0, 1])) == 0
+    assert len(model.locate([])) == 0
+    table = model.intervals(np.full((5, 3), [0.5, 0.5, -1]), np.array([[0, 0, 1]]))
+    assert len(table) == 5 and table.of(-1).tolist() == [[1, 2]]
+    with pytest.raises(IndexError):
+        table.of(5)
+
+
 def test_other_types_and_layouts_give_the_same(model):
     origins = np.random.default_rng(2).normal(size=(100, 3)).astype(np.float32)
     want = model.intervals(origins.astype(np.float64), [0.0, 0.0, 1.0]).t
