@@ -3,14 +3,17 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/distinct_files.h"
 #include "cli/json.h"
 #include "cli/output.h"
 #include "cli/scene_input.h"
+#include "cli/section_image.h"
 #include "cli/section_svg.h"
 #include "measure/section.h"
+#include "shade/image_file.h"
 
 namespace csgcast::cli {
 namespace {
@@ -19,6 +22,7 @@ struct SectionCommand {
   SceneOptions scene;
   std::string plane;
   std::string relative_error = "1e-6";
+  std::string size = "1024";
   std::string output;
 };
 
@@ -67,18 +71,27 @@ void run(const SectionCommand& command) {
   job.relative_error = parse_numbers("--relative-error", command.relative_error, 1)[0];
   if (!(job.relative_error > 0 && job.relative_error < 1))
     throw UsageError(fmt::format("--relative-error {} is not between 0 and 1", command.relative_error));
-  const bool is_picture = ends_with(command.output, ".svg");
-  if (!is_picture && !command.output.empty() && !ends_with(command.output, ".json"))
-    throw UsageError(fmt::format("-o {} has an unknown ending (known are .svg, .json)", command.output));
+  const int pixels = parse_count("--size", command.size, 1, 16384);
+  const bool is_drawing = ends_with(command.output, ".svg");
+  const bool is_image = ends_with(command.output, ".png");
+  if (!is_drawing && !is_image && !command.output.empty() && !ends_with(command.output, ".json"))
+    throw UsageError(fmt::format("-o {} has an unknown ending (known are .svg, .png, .json)", command.output));
   check_distinct(std::array{NamedFile{"the scene", command.scene.path}}, std::array{NamedFile{"-o", command.output}});
-  Output output(command.output);
+  std::optional<Output> output;
+  if (is_image) {
+    check_writable(command.output);
+  } else {
+    output.emplace(command.output);
+  }
   const SceneInput input = read_scene(command.scene);
   tbb::task_arena arena(thread_count(command.scene));
   const Section cut = arena.execute([&] { return section(input.scene, plane, job); });
-  if (is_picture && !cut.is_bounded)
+  if ((is_drawing || is_image) && !cut.is_bounded)
     throw UsageError("the solid may be unbounded: there is no picture of its section; intersect it with a box");
-  output.write(is_picture ? section_svg(cut, picture_tolerance(cut)) : as_json(cut));
-  output.commit();
+  if (is_image)
+    return write_image(arena.execute([&] { return section_image(input.scene, plane, cut, pixels); }), command.output);
+  output->write(is_drawing ? section_svg(cut, picture_tolerance(cut)) : as_json(cut));
+  output->commit();
 }
 
 }  // namespace
@@ -92,8 +105,9 @@ Command section_command(CLI::App& program) {
       ->type_name("E")
       ->capture_default_str();
   line->add_option("-o,--output", options->output,
-                   "The file to write, .svg or .json (default: JSON to standard output)")
+                   "The file to write, .svg, .png or .json (default: JSON to standard output)")
       ->type_name("FILE");
+  line->add_option("--size", options->size, "Pixels of a .png's longer side")->type_name("N")->capture_default_str();
   line->footer(
       "Curves are runs of lines and conics, loops of them around what is inside. Where a face lies in the plane it is "
       "the\n"

@@ -156,23 +156,27 @@ class PathWriter {
 
 }  // namespace
 
+PlaneRectangle seen_rectangle(const Section& section) {
+  PathWriter path(1);
+  for (const SectionLoop& loop : section.loops) path.add(loop);
+  if (!path.has_bounds()) return {{0, 0}, {1, 1}};
+  const auto [least, greatest] = std::pair(path.least(), path.greatest());
+  const double margin = 0.02 * std::fmax(greatest.u - least.u, greatest.v - least.v);
+  return {{least.u - margin, least.v - margin}, {greatest.u + margin, greatest.v + margin}};
+}
+
 std::string section_svg(const Section& section, double tolerance) {
   PathWriter path(tolerance);
   for (const SectionLoop& loop : section.loops) path.add(loop);
-  PlanePoint least{0, 0}, greatest{1, 1};
-  if (path.has_bounds()) {
-    least = path.least();
-    greatest = path.greatest();
-  }
-  const double margin = 0.02 * std::fmax(greatest.u - least.u, greatest.v - least.v);
-  const double width = greatest.u - least.u + 2 * margin;
-  const double height = greatest.v - least.v + 2 * margin;
+  const auto [least, greatest] = seen_rectangle(section);
+  const double width = greatest.u - least.u;
+  const double height = greatest.v - least.v;
   const double pixels = 800 / std::fmax(width, height);
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   out += fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" height=\"{:.0f}\" viewBox=\"{} {} {} {}\">\n",
-      std::fmax(width * pixels, 1), std::fmax(height * pixels, 1), number(least.u - margin),
-      number(-greatest.v - margin), number(width), number(height));
+      std::fmax(width * pixels, 1), std::fmax(height * pixels, 1), number(least.u), number(-greatest.v), number(width),
+      number(height));
   out += fmt::format("<desc>Area {} within {}, perimeter {} within {}. Curves are within {} of the section.</desc>\n",
                      number(section.area.value), number(section.area.error), number(section.perimeter.value),
                      number(section.perimeter.error), number(section.place_error + tolerance));

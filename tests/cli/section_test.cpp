@@ -33,6 +33,14 @@ TEST_CASE("section as SVG: one filled path with arcs") {
   CHECK(contains(svg, "<desc>Area 3.80365"));
 }
 
+TEST_CASE("section as an image: rows of pixels, as dark as they are inside") {
+  const TemporaryFolder folder;
+  folder.write("scene.csg", "difference() { cube(2); cylinder(h = 9, r = 0.5, $fn = 40, center = true); }");
+  CHECK(run(folder, {"section", "scene.csg", "--plane", "0,0,1,0", "-o", "cut.png", "--size", "64"}).exit_code == 0);
+  CHECK(folder.read("cut.png").substr(1, 3) == "PNG");
+  CHECK(run(folder, {"section", "scene.csg", "--plane", "0,0,1,1", "-o", "cut.png", "--size", "0"}).exit_code == 2);
+}
+
 TEST_CASE("section refuses what makes no sense, and leaves the output alone") {
   const TemporaryFolder folder;
   folder.write("scene.csg", "cube(1);");
