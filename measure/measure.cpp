@@ -19,10 +19,6 @@ using detail::Totals;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-// Of sums of errors; and of scaling and of the determinant of turned axes, relative to what was summed.
-constexpr double rounding_up = 1 + 0x1p-20;
-constexpr double rounding = 0x1p-46;
-
 void check(const MeasureOptions& options) {
   if (options.relative_error > 0 && options.relative_area_error > 0) return;
   throw Error(ErrorCode::bad_value, {}, "the relative error asked for is not positive", "it can only be approached",
@@ -44,9 +40,8 @@ Measures unbounded() {
 Measures shape_of(const Space& space, const Totals& totals) {
   Measures m;
   const double s = space.scale();
-  const double error = totals.volume_error + rounding * totals.moments.volume;
-  m.volume = {s * s * s * totals.moments.volume, rounding_up * s * s * s * error};
-  m.area = {s * s * totals.area, rounding_up * s * s * (totals.area_error + rounding * totals.area)};
+  m.volume = detail::scaled(s * s * s, totals.moments.volume, totals.volume_error);
+  m.area = detail::scaled(s * s, totals.area, totals.area_error);
   const detail::Extent extent = detail::extent_of(space);
   m.bounds = extent.box;
   m.bounds_error = extent.error;

@@ -16,9 +16,6 @@ namespace {
 using detail::Arc;
 using detail::Planar;
 
-constexpr double rounding_up = 1 + 0x1p-20;
-constexpr double rounding = 0x1p-46;
-
 void check(const Plane& plane) {
   const bool is_sound = is_finite(plane.normal) && longest(plane.normal) > 0 && std::isfinite(plane.distance);
   if (is_sound) return;
@@ -87,9 +84,8 @@ Section section(const Scene& scene, const Plane& plane, const SectionOptions& op
   const detail::Totals totals = detail::refine(space, job);
   const double s = space.scale();
   // Its height is 1: what is a volume there is an area here, an area a length.
-  result.area = {s * s * totals.moments.volume,
-                 rounding_up * s * s * (totals.volume_error + rounding * totals.moments.volume)};
-  result.perimeter = {s * totals.area, rounding_up * s * (totals.area_error + rounding * totals.area)};
+  result.area = detail::scaled(s * s, totals.moments.volume, totals.volume_error);
+  result.perimeter = detail::scaled(s, totals.area, totals.area_error);
   const detail::ArcTrace trace = detail::trace_arcs(space, options.most_pieces);
   const PlaneFrame frame(space, plane, result);
   const detail::JoinedArcs joined = detail::join_arcs(trace);
@@ -101,7 +97,7 @@ Section section(const Scene& scene, const Plane& plane, const SectionOptions& op
                       SurfaceId(arc.surface)});
     result.loops.push_back(std::move(loop));
   }
-  const double off = s * (joined.widest_corner + 0x1p-40) + 0x1p-50 * longest(scene.frame().center);
+  const double off = s * (joined.widest_corner + trace.displaced + 0x1p-40) + 0x1p-50 * longest(scene.frame().center);
   if (!result.loops.empty()) result.place_error = off;
   return result;
 }

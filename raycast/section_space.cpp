@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <limits>
 
 #include "raycast/detail/cell_builder.h"
 #include "raycast/pieces.h"
@@ -31,8 +32,8 @@ detail::CellAxes axes_about(Vector normal) {
   return axes;
 }
 
-/// The form at one height: it no longer depends on z.
-CellForm at_height(const CellForm& form, long double z, const CellBox& box) {
+/// The form at one height, which may be off: it no longer depends on z.
+CellForm at_height(const CellForm& form, long double z, double off, const CellBox& box) {
   const auto& c = form.c;
   const long double d = z - form.center.z;
   CellForm flat = form;
@@ -43,7 +44,10 @@ CellForm at_height(const CellForm& form, long double z, const CellBox& box) {
   flat.center.z = 0;
   CellBox there = box;
   there.lower.z = there.upper.z = static_cast<double>(z);
-  flat.off = local_form(form, there).slack;
+  const LocalForm here = local_form(form, there);
+  const Vector half = 0.5 * (there.upper - there.lower);
+  const double slope = std::fabs(here.gradient.z) + std::fabs(c[Form::xz]) * half.x + std::fabs(c[Form::yz]) * half.y;
+  flat.off = here.slack + off * (slope + std::fabs(c[Form::zz]) * off);
   // A plane in that of the section: its side just beyond, along the normal, counts.
   bool is_plane = true;
   for (std::size_t i = 0; i < Form::x; ++i) is_plane = is_plane && c[i] == 0;
@@ -65,16 +69,21 @@ Space Space::section(Vector normal, double distance) const {
   const Vector n{std::scalbn(normal.x, -exponent), std::scalbn(normal.y, -exponent), std::scalbn(normal.z, -exponent)};
   long double height = std::scalbn(static_cast<long double>(distance), -exponent);
   long double squared = 0;
+  long double terms = std::fabs(height);
   for (std::size_t i = 0; i < 3; ++i) {
+    terms += std::fabs(static_cast<long double>(n[i]) * frame.center[i]);
     height -= static_cast<long double>(n[i]) * frame.center[i];
     squared += static_cast<long double>(n[i]) * n[i];
   }
   height = std::scalbn(height / std::sqrt(squared), -frame.exponent);
+  // Products and sums round where the scene is far from the origin; no more than so, whatever a long double is.
+  constexpr double rounding = 8 * static_cast<double>(std::numeric_limits<long double>::epsilon());
+  const double off = rounding * static_cast<double>(std::scalbn(terms / std::sqrt(squared), -frame.exponent));
 
   auto ground = std::make_shared<detail::CellGround>(*ground_);
   ground->axes = axes;
   const auto across = [&](CellBox box) {
-    constexpr double margin = 0x1p-30;
+    const double margin = 0x1p-30 + off;
     const bool meets = height >= box.lower.z - margin && height <= box.upper.z + margin;
     box.lower.z = meets ? -0.5 : 1;
     box.upper.z = meets ? 0.5 : -1;
@@ -83,7 +92,7 @@ Space Space::section(Vector normal, double distance) const {
   const CellBox whole = ground->box_of(scene().node(node_).box);
   for (std::size_t i = 0; i < ground->forms.size(); ++i) {
     const Surface& surface = scene().surfaces()[i];
-    ground->forms[i] = at_height(axes.turned({surface.local, surface.center}), height, whole);
+    ground->forms[i] = at_height(axes.turned({surface.local, surface.center}), height, off, whole);
   }
   for (const Node& node : scene().nodes()) {
     if (node.op != Node::Op::leaf) continue;

@@ -58,14 +58,17 @@ void tell_mass(const Frame& frame, const Body& body, Measures& measures) {
   const double scale = std::ldexp(1.0, frame.exponent);
   const double volume_scale = std::ldexp(1.0, 3 * frame.exponent);
   const double mass = m.volume;
-  measures.mass = {volume_scale * mass, volume_scale * body.mass_error};
-  if (!(mass > 0)) return;
+  measures.mass = scaled(volume_scale, mass, body.mass_error);
+  if (!(mass > body.mass_error)) {  // where it is, if anywhere, is not known
+    if (body.mass_error > 0) measures.centroid_error = measures.inertia_error = HUGE_VAL;
+    return;
+  }
   std::array<double, 3> c{};
   std::array<double, 3> c_error{};
   for (std::size_t i = 0; i < 3; ++i) {
     c[i] = m.first[i] / mass;
     const double off = body.first_error[i] + std::fabs(c[i]) * body.mass_error;
-    c_error[i] = body.mass_error < mass ? off / (mass - body.mass_error) + rounding : HUGE_VAL;
+    c_error[i] = off / (mass - body.mass_error) + rounding;
     measures.centroid[i] = frame.center[i] + scale * c[i];
     const double error = rounding_up * scale * c_error[i] + 0x1p-52 * std::fabs(measures.centroid[i]);
     measures.centroid_error = std::fmax(measures.centroid_error, error);
@@ -87,7 +90,8 @@ void tell_mass(const Frame& frame, const Body& body, Measures& measures) {
     const std::size_t b = (i + 2) % 3;
     measures.inertia[k] = inertia_scale * (i == j ? central[a] + central[b] : -central[k]);
     const double error = inertia_scale * (i == j ? central_error[a] + central_error[b] : central_error[k]);
-    measures.inertia_error = std::fmax(measures.inertia_error, rounding_up * error);
+    const Measured entry = scaled(1, measures.inertia[k], error);
+    measures.inertia_error = std::fmax(measures.inertia_error, entry.error);
   }
 }
 

@@ -27,6 +27,8 @@ void add_roots(double a, double b, double c, double reach, std::vector<double>& 
     if (std::fabs(t) < reach) roots.push_back(t);
   };
   const double d = b * b - 4 * a * c;
+  // Where a curve only just touches, or just does not, it may do so: there is an end as well.
+  if (a != 0 && std::fabs(d) <= 0x1p-40 * (b * b + 4 * std::fabs(a * c))) add(-0.5 * b / a);
   if (!(d >= 0)) return;
   const double q = -0.5 * (b + std::copysign(std::sqrt(d), b));
   if (q == 0) return;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace csgcast::detail {
@@ -255,6 +256,13 @@ class Refinement {
 };
 
 }  // namespace
+
+Measured scaled(double factor, double value, double error) {
+  Measured result{factor * value, factor * (1 + 0x1p-20) * (error + 0x1p-46 * std::fabs(value))};
+  if (!std::isfinite(result.value) || !std::isfinite(result.error)) result.error = HUGE_VAL;
+  if (value != 0 || error != 0) result.error += 4 * std::numeric_limits<double>::denorm_min();
+  return result;
+}
 
 Totals refine(const Space& space, const MeasureOptions& options) { return Refinement(space, options).run(); }
 

@@ -21,6 +21,10 @@ struct Totals {
   bool is_as_asked = false;
 };
 
+/// A sum and its error in the scene's unit of length: with what sums and scaling round, and with what is lost if the
+/// numbers are too large or too small for doubles.
+Measured scaled(double factor, double value, double error);
+
 /// Cuts space until the sums are as certain as the options ask. Precondition: it is bounded.
 Totals refine(const Space& space, const MeasureOptions& options);
 

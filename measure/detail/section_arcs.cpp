@@ -92,6 +92,7 @@ class Tracer {
     // Upwards along y the left is towards lower x, if x and y are right-handed.
     if (is_inside_right == (ax == 0)) std::swap(arc.from, arc.to);
     trace_.arcs.push_back(arc);
+    trace_.displaced = std::fmax(trace_.displaced, curve.form.slack / curve.least_slope);
   }
 
   /// Twins that were merged took other places: found again by their forms.

@@ -25,6 +25,7 @@ struct Arc {
 struct ArcTrace {
   std::vector<Arc> arcs;
   std::vector<CellBox> corners;
+  double displaced = 0;  ///< how far curves may be from where they were found
 };
 
 /// Precondition: the space is that of a section, and bounded.

@@ -43,6 +43,7 @@ class PlaceSearch {
     result.witness = witness_;
     for (const Candidate& candidate : open_) left_over_ += volume_of(candidate.piece.box);
     const double scale = space_.scale();
+    result.is_empty = !witness_ && left_over_ == 0;
     result.most_volume = left_over_ * scale * scale * scale;
     return result;
   }
@@ -160,7 +161,7 @@ Measured volume_of(const Space& space) {
   options.most_pieces = 20'000;
   const Totals totals = refine(space, options);
   const double scale = space.scale();
-  return {scale * scale * scale * totals.moments.volume, scale * scale * scale * totals.volume_error * (1 + 0x1p-20)};
+  return scaled(scale * scale * scale, totals.moments.volume, totals.volume_error);
 }
 
 }  // namespace csgcast::detail

@@ -13,7 +13,8 @@ namespace csgcast::detail {
 /// What is known of a part of space after a search.
 struct SearchResult {
   std::optional<Point> witness;  ///< a place in it
-  double most_volume = 0;        ///< without a witness: no more than this is left, in the scene's unit; 0: it is empty
+  bool is_empty = false;         ///< proved
+  double most_volume = 0;        ///< without a witness: no more than this is left, in the scene's unit
 };
 
 /// A place that is surely in the space, on a line through a point of the scene, if one is found there.

@@ -220,13 +220,13 @@ bool SheetEstimator::add_rule_errors(YRange range, const Side& left, const Side&
     }
     if (!is_analytic) continue;
     const double rule = 4 * Gauss::error(rho) * half_height * half_width;
-    if (rule * height >= least) continue;
+    if (!(rule * height < least)) continue;
     least = rule * height;
     area_error = rule * area_factor;
     disc = r;
     z_reach = z;
   }
-  if (std::isinf(least)) return false;
+  if (!std::isfinite(least)) return false;
   reach_ = {std::fmax(reach_.x, disc.x), std::fmax(reach_.y, disc.y)};
   z_reach_ = std::fmax(z_reach_, z_reach);
   estimate_.volume_error += least;
@@ -256,7 +256,7 @@ bool SheetEstimator::add_wall(YRange range, const Curve& curve, const Column& co
     // Half the range's length times what is off in one direction.
     least = std::fmin(least, half_height * Gauss::error(rho) * height * *gradient / std::sqrt(along.discriminant));
   }
-  if (std::isinf(least)) return false;
+  if (!std::isfinite(least)) return false;
   estimate_.area_error += least;
   for (std::size_t j = 0; j < Gauss::points; ++j) {
     const double y = range.low + half_height * (1 + Gauss::node[j]);
@@ -279,7 +279,7 @@ void SheetEstimator::add_slacks() {
   double lifted = 0;    // what sheets may be displaced
   for (const auto& [surface, sheet, least_slope] : layout_.sheets()) {
     const double displaced = sheet.slack() / least_slope;
-    const double steep = sheet.greatest_gradient({hx(), hy()}, 2 * hz()) / least_slope;
+    const double steep = sheet.greatest_gradient({hx(), hy()}, std::fabs(sheet.height()) + hz()) / least_slope;
     const double turned_by = 2 * steep * (markov + sheet.greatest_bend() / least_slope);
     steepest += steep;
     lifted += displaced;
@@ -288,7 +288,7 @@ void SheetEstimator::add_slacks() {
   }
   for (const Curve& curve : layout_.curves()) {
     const double displaced = curve.form.slack / curve.least_slope + rounding * hx();
-    const double steep = curve.x.greatest_gradient({hy(), 0}, 2 * hx()) / curve.least_slope;
+    const double steep = curve.x.greatest_gradient({hy(), 0}, std::fabs(curve.x.height()) + hx()) / curve.least_slope;
     const double turned_by = 2 * steep * (markov + curve.x.greatest_bend() / curve.least_slope);
     estimate_.volume_error += 8 * hy() * hz() * displaced;
     estimate_.area_error += 4 * hy() * displaced * steepest;

@@ -152,3 +152,11 @@ TEST_CASE("The empty scene is fine, and says that it is empty") {
   CHECK(report.overlaps.empty());
   CHECK(report.without_effect.empty());
 }
+
+TEST_CASE("A line in the surfaces of both parts proves no overlap") {
+  // Disjoint, and the x axis lies in all four surfaces.
+  const Solid ball_like = quadric({0, 1, 1, 0, 0, 0}, {0, -2, 0}, 0);
+  const Solid a = (halfspace({0, -1, 0}, 0) & halfspace({0, 0, -1}, 0)) - ball_like;
+  const Solid b = halfspace({0, -1, 1}, 0) & halfspace({0, 1, 0}, 0.5) & halfspace({0, 0, 1}, 0.5);
+  CHECK(check(compile(part("a", a) + part("b", b))).overlaps.empty());
+}

@@ -198,3 +198,21 @@ TEST_CASE("What makes no sense is refused") {
   CHECK_THROWS_AS(measure(scene, scene.root(), -1), Error);
   CHECK_THROWS_AS(measure(scene, scene.root(), NAN), Error);
 }
+
+TEST_CASE("Where nothing is known yet errors are infinite, not missing") {
+  MeasureOptions options;
+  options.most_pieces = 1;
+  const Measures m = measured(sphere(1), options);
+  CHECK_FALSE(m.is_as_asked);
+  CHECK(std::isinf(m.inertia_error));
+  CHECK(std::isinf(m.centroid_error));
+  CHECK(holds(m.volume, 4.0 / 3 * M_PI));
+}
+
+TEST_CASE("What is too small or too large for doubles is within the error all the same") {
+  const Measures tiny = measured(sphere(1e-110));
+  CHECK(tiny.volume.error > 0);
+  const Measures huge = measured(sphere(1e110));
+  CHECK(std::isinf(huge.volume.error));
+  CHECK(std::isfinite(huge.area.value));
+}
