@@ -144,7 +144,7 @@ def plot(found, output):
                     title = program if column == "error" else program + ", its bound"
                     lines.append(f"'-' with linespoints lc rgb '{color}' pt 7 ps .6 dt {1 if column == 'error' else 2} title '{title}'")
                     data.append("".join(f"{x} {max(y, 1e-13)}\n" for x, y in points) + "e\n")
-        script += [f"set title '{name}'\nset ylabel 'error of the volume, relative'\nset key bottom left\nplot {', '.join(lines)}\n", *data]
+        script += [f"set title '{name}'\nset ylabel 'error of the volume, relative'\nset key top right\nplot {', '.join(lines)}\n", *data]
     subprocess.run(["gnuplot"], input="".join(script), text=True, check=True)
 
 
