@@ -3,6 +3,7 @@
 
 #include "measure/check.h"
 #include "measure/section.h"
+#include "measure/thickness.h"
 #include "python/bind.h"
 #include "query/model.h"
 
@@ -85,11 +86,25 @@ py::dict checked(const Model& model, py::object callback) {
   return d;
 }
 
+/// The thickness, place, normal and leaf; None if there is no such place.
+py::object thinnest(const Model& model, std::size_t samples) {
+  if (samples == 0 || samples > 16384) throw py::value_error("samples must be between 1 and 16384");
+  std::optional<ThinPlace> found;
+  {
+    const py::gil_scoped_release unlocked;
+    found = find_thinnest(model.cells(), samples);
+  }
+  if (!found) return py::none();
+  return py::make_tuple(found->thickness, vector_array(as_vector(found->place)), vector_array(as_vector(found->normal)),
+                        found->leaf.index());
+}
+
 }  // namespace
 
 void bind_shapes(py::module_& m) {
   m.def("_section", cut);
   m.def("_check", checked);
+  m.def("_thinnest", thinnest);
 }
 
 }  // namespace csgcast::python

@@ -171,6 +171,11 @@ class Model:
         """What the plane normal . p = distance cuts out, as Section. In the plane of a face it is what is just beyond it."""
         return Section(**_core._section(self._model, normal, distance, relative_error))
 
+    def thinnest(self, samples=512):
+        """The thinnest wall that samples x samples rays along each axis meet, straight in from the boundary to the boundary again:
+        (thickness, place (3,), normal (3,), leaf); None if the solid is empty or may be unbounded. No bound."""
+        return _core._thinnest(self._model, samples)
+
     def check(self, *, progress=None):
         """Looks for parts that overlap, empty and unbounded parts, and leaves without effect: Check."""
         return Check(**_core._check(self._model, progress))

@@ -140,6 +140,16 @@ def test_sections():
     assert solid.compile().section([0, 0, 1], 5).loops == []
 
 
+def test_thinnest():
+    web = csgcast.box([4, 4, 1]) - csgcast.cylinder(h=2, r=0.5).translate([2, 2, 0.125])
+    thickness, place, normal, leaf = web.compile().thinnest(64)
+    assert thickness == pytest.approx(0.125) and abs(normal[2]) == 1 and leaf in (0, 1)
+    assert np.hypot(place[0] - 2, place[1] - 2) < 0.5
+    assert csgcast.empty().compile().thinnest() is None
+    with pytest.raises(ValueError):
+        web.compile().thinnest(0)
+
+
 def test_checks():
     parts = csgcast.box(1).part("a") + csgcast.box(1).translate([0.5, 0, 0]).part("b") + csgcast.box(1).translate([0, 1, 0]).part("c")
     report = (parts + csgcast.sphere(0.1).translate([0.5, 0.5, 0.5])).compile().check()
@@ -270,7 +280,7 @@ def test_stubs_name_what_there_is():
         own = {k for k, v in vars(getattr(csgcast, name)).items() if callable(v) or isinstance(v, property)}
         public = {k for k in own if not k.startswith("_")}
         assert public == {k for k in in_stubs if not k.startswith("_")}
-    for name in ("intervals", "first_hits", "any_hits", "locate", "measure", "section", "check", "render"):
+    for name in ("intervals", "first_hits", "any_hits", "locate", "measure", "section", "thinnest", "check", "render"):
         arguments = list(inspect.signature(getattr(csgcast.Model, name)).parameters)
         stub = next(n for n in named["Model"].body if isinstance(n, ast.FunctionDef) and n.name == name)
         assert arguments == [a.arg for a in stub.args.args + stub.args.kwonlyargs]
