@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "capi/csgcast.h"
 
+#include <algorithm>
 #include <memory>
 #include <new>
 #include <string>
@@ -112,8 +113,7 @@ csgcast_status csgcast_locate(const csgcast_model* model, size_t points, const d
     require(points == 0 || (coordinates != nullptr && result != nullptr),
             "the points or the place for the result is NULL");
     const std::vector<Location> found = model->model.locate({coordinates, 3 * points});
-    for (size_t i = 0; i < points; ++i)
-      result[i] = found[i] == Location::inside ? 1 : found[i] == Location::outside ? -1 : 0;
+    std::transform(found.begin(), found.end(), result, sign_of);
   });
 }
 

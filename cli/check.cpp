@@ -6,6 +6,7 @@
 #include "cli/distinct_files.h"
 #include "cli/json.h"
 #include "cli/labelled_row.h"
+#include "cli/leaf_name.h"
 #include "cli/number.h"
 #include "cli/output.h"
 #include "cli/printable.h"
@@ -25,12 +26,6 @@ struct CheckCommand {
 std::string part_name(const Scene& scene, PartId part) { return printable(scene.parts()[part.index()].name.name); }
 
 std::string place(const Place& place) { return fmt::format("{}:{}", place.line, place.column); }
-
-/// `sphere at 3:5`.
-std::string leaf_name(const Scene& scene, LeafId id) {
-  const Leaf& leaf = scene.leaf(id);
-  return fmt::format("{} at {}", word(leaf.kind), place(leaf.place));
-}
 
 /// Whether two parts share next to nothing of what either is: they touch, as assemblies do.
 bool is_touch(const Scene& scene, const Contact& contact) {

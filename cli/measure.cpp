@@ -9,6 +9,7 @@
 #include "cli/distinct_files.h"
 #include "cli/json.h"
 #include "cli/labelled_row.h"
+#include "cli/leaf_name.h"
 #include "cli/number.h"
 #include "cli/output.h"
 #include "cli/printable.h"
@@ -35,6 +36,8 @@ double parse_area_error(const std::string& text) {
     throw UsageError(fmt::format("--area-error {} is neither between 0 and 1 nor inf", text));
   return share;
 }
+
+constexpr std::array<const char*, 6> inertia_names{"xx", "yy", "zz", "xy", "xz", "yz"};
 
 double parse_share(const std::string& option, const std::string& text) {
   const double share = parse_numbers(option, text, 1)[0];
@@ -66,8 +69,7 @@ std::string coordinates(const Triple& t, double error) {
 std::string unbounded_leaf(const Scene& scene) {
   for (const Node& node : scene.nodes()) {
     if (node.op != Node::Op::leaf || node.box.is_finite() || node.box.is_null()) continue;
-    const Leaf& leaf = scene.leaf(LeafId(node.first));
-    return fmt::format(": {} at {}:{}", word(leaf.kind), leaf.place.line, leaf.place.column);
+    return ": " + leaf_name(scene, LeafId(node.first));
   }
   return "";
 }
@@ -82,10 +84,9 @@ void append_measures(std::string& out, const Scene& scene, const Measures& m) {
   if (m.mass.value > 0) {
     append_row(out, "centroid",
                fmt::format("{}  ± {:.2g} each", coordinates(m.centroid, m.centroid_error), m.centroid_error));
-    static constexpr std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "xz", "yz"};
     std::string inertia;
-    for (std::size_t i = 0; i < names.size(); ++i)
-      inertia += fmt::format("{} {}  ", names[i], certain_digits(m.inertia[i], m.inertia_error));
+    for (std::size_t i = 0; i < inertia_names.size(); ++i)
+      inertia += fmt::format("{} {}  ", inertia_names[i], certain_digits(m.inertia[i], m.inertia_error));
     append_row(out, "inertia", fmt::format("{}± {:.2g} each", inertia, m.inertia_error));
   }
   append_row(out, "bounds",
@@ -114,8 +115,7 @@ void json_measures(Json& json, const Measures& m) {
   json.member("mass", m.mass.value).member("mass_error", m.mass.error);
   json.member("centroid", m.centroid).member("centroid_error", m.centroid_error);
   json.key("inertia").begin_object(Json::Layout::compact);
-  static constexpr std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "xz", "yz"};
-  for (std::size_t i = 0; i < names.size(); ++i) json.member(names[i], m.inertia[i]);
+  for (std::size_t i = 0; i < inertia_names.size(); ++i) json.member(inertia_names[i], m.inertia[i]);
   json.end_object().member("inertia_error", m.inertia_error);
   json.key("bounds").begin_object(Json::Layout::compact).member("empty", m.bounds.is_null());
   json.member("lower", m.bounds.lower).member("upper", m.bounds.upper).end_object();

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/distinct_files.h"
 #include "cli/json.h"
+#include "cli/leaf_name.h"
 #include "cli/number.h"
 #include "cli/output.h"
 #include "cli/scene_input.h"
@@ -58,11 +59,6 @@ Film thickness_map(const Cells& cells, const View& view, int width, int height) 
     for (int x = 0; x < width; ++x) film.value(x, y) = static_cast<float>(thickness[static_cast<std::size_t>(x)]);
   });
   return film;
-}
-
-std::string leaf_name(const Scene& scene, LeafId id) {
-  const Leaf& leaf = scene.leaf(id);
-  return fmt::format("{} at {}:{}", word(leaf.kind), leaf.place.line, leaf.place.column);
 }
 
 std::string as_text(const Scene& scene, const std::optional<ThinPlace>& thinnest) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "csg/error.h"
 #include "measure/detail/body.h"
@@ -19,6 +20,7 @@ using detail::Totals;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
 void check(const MeasureOptions& options) {
   if (options.relative_error > 0 && options.relative_area_error > 0) return;
   throw Error(ErrorCode::bad_value, {}, "the relative error asked for is not positive", "it can only be approached",
@@ -51,14 +53,30 @@ Measures shape_of(const Space& space, const Totals& totals) {
   return m;
 }
 
-/// A node less others; its body is added to `sum`.
-Measures measure_body(const Space& space, double density, const MeasureOptions& options, Body& sum) {
+/// A node and its body, nothing of one that may be unbounded.
+struct Measurement {
+  Measures measures;
+  Body body;
+};
+
+Measurement measure_node(const Scene& scene, NodeId node, double density, const MeasureOptions& options) {
+  check(options);
+  if (!(density >= 0) || std::isinf(density))
+    throw Error(ErrorCode::bad_value, {}, "the density is negative or no number", "masses would be so, too",
+                "give a positive one");
+  const Space space(scene, node);
+  if (!space.is_bounded() && !space.is_empty()) return {unbounded(), {}};
   const Totals totals = detail::refine(space, options);
-  const Body body = detail::body_of(space, totals, density);
-  sum += body;
-  Measures result = shape_of(space, totals);
-  detail::tell_mass(space.scene().frame(), body, result);
+  Measurement result{shape_of(space, totals), detail::body_of(space, totals, density)};
+  detail::tell_mass(scene.frame(), result.body, result.measures);
   return result;
+}
+
+/// Of a node less others.
+Body body_of_rest(const Scene& scene, NodeId node, std::span<const NodeId> less, double density,
+                  const MeasureOptions& options) {
+  const Space space(scene, node, less);
+  return detail::body_of(space, detail::refine(space, options), density);
 }
 
 bool may_overlap(const Scene& scene, NodeId a, NodeId b) {
@@ -73,40 +91,33 @@ bool has_rest(const Scene& scene) {
 }  // namespace
 
 Measures measure(const Scene& scene, NodeId node, double density, const MeasureOptions& options) {
-  check(options);
-  if (!(density >= 0) || std::isinf(density))
-    throw Error(ErrorCode::bad_value, {}, "the density is negative or no number", "masses would be so, too",
-                "give a positive one");
-  const Space space(scene, node);
-  if (!space.is_bounded() && !space.is_empty()) return unbounded();
-  Body body;
-  return measure_body(space, density, options, body);
+  return measure_node(scene, node, density, options).measures;
 }
 
 SceneMeasures measure(const Scene& scene, const MeasureOptions& options) {
-  check(options);
   SceneMeasures result;
   const auto parts = scene.parts();
-  for (const Part& part : parts) result.parts.push_back(measure(scene, part.node, part.name.density, options));
-  if (parts.empty() || !scene.node(scene.root()).box.is_finite()) {
-    result.whole = measure(scene, scene.root(), 1, options);
-    return result;
-  }
-  const Space whole(scene, scene.root());
-  const Totals totals = detail::refine(whole, options);
-  result.whole = shape_of(whole, totals);
+  const bool has_mass = !parts.empty() && scene.node(scene.root()).box.is_finite();
   Body sum;
   std::vector<NodeId> before;
   for (const Part& part : parts) {
+    const Measurement alone = measure_node(scene, part.node, part.name.density, options);
+    result.parts.push_back(alone.measures);
     std::vector<NodeId> others;
     for (const NodeId other : before) {
       if (may_overlap(scene, part.node, other)) others.push_back(other);
     }
     before.push_back(part.node);
-    if (!scene.node(part.node).box.is_null())
-      measure_body(Space(scene, part.node, others), part.name.density, options, sum);
+    if (!has_mass) continue;
+    sum += others.empty() ? alone.body : body_of_rest(scene, part.node, others, part.name.density, options);
   }
-  if (has_rest(scene)) measure_body(Space(scene, scene.root(), before), 1, options, sum);
+  if (!has_mass) {
+    result.whole = measure(scene, scene.root(), 1, options);
+    return result;
+  }
+  if (has_rest(scene)) sum += body_of_rest(scene, scene.root(), before, 1, options);
+  const Space whole(scene, scene.root());
+  result.whole = shape_of(whole, detail::refine(whole, options));
   detail::tell_mass(scene.frame(), sum, result.whole);
   return result;
 }

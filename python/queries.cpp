@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -114,8 +115,7 @@ py::array locate(const Model& model, const Numbers& points, py::object callback)
   QueryOptions options;
   const std::vector<Location> found = without_lock(progress, options, [&] { return model.locate(numbers, options); });
   std::vector<std::int8_t> signs(found.size());
-  for (std::size_t i = 0; i < found.size(); ++i)
-    signs[i] = found[i] == Location::inside ? 1 : found[i] == Location::outside ? -1 : 0;
+  std::transform(found.begin(), found.end(), signs.begin(), sign_of);
   const auto count = static_cast<py::ssize_t>(signs.size());
   return array_of<std::int8_t>(std::move(signs), {count});
 }

@@ -65,6 +65,11 @@ struct HitTable {
   std::vector<std::uint8_t> is_entry;   ///< 1 or 0
 };
 
+/// 1 inside, 0 on the boundary, -1 outside: as other languages are told.
+constexpr std::int8_t sign_of(Location location) {
+  return location == Location::inside ? 1 : location == Location::outside ? -1 : 0;
+}
+
 /// A solid made ready for questions: compiled, and cut into cells. Any number of threads may ask it at once; queries of
 /// many rays or points share the work among the threads that oneTBB has where they are called. Answers are certified:
 /// docs/answer.md.

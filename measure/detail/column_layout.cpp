@@ -212,17 +212,11 @@ std::vector<YRange> ColumnLayout::ranges() const {
 }
 
 double ColumnLayout::form_at(std::size_t surface, double x, double y, double z) const {
-  const LocalForm& form = forms_.f[surface];
   Vector d;
   d[axes_.x] = x;
   d[axes_.y] = y;
   d[axes_.up] = z;
-  double value = form.value + dot(form.gradient, d);
-  for (std::size_t k = 0; k < 6; ++k) {
-    const auto [i, j] = Moments::pair[k];
-    value += form.bend[k] * d[i] * d[j];
-  }
-  return value;
+  return value_at(forms_.f[surface], d);
 }
 
 }  // namespace csgcast::detail

@@ -7,6 +7,15 @@
 
 namespace csgcast::detail {
 
+double value_at(const LocalForm& form, Vector d) {
+  double value = form.value + dot(form.gradient, d);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto [i, j] = Moments::pair[k];
+    value += form.bend[k] * d[i] * d[j];
+  }
+  return value;
+}
+
 PieceForms::PieceForms(const Space& space, const Piece& piece)
     : count(piece.is_crowded() ? 0 : piece.count), table(piece.table) {
   middle = 0.5 * (piece.box.upper + piece.box.lower);
@@ -15,6 +24,7 @@ PieceForms::PieceForms(const Space& space, const Piece& piece)
     are_known = are_known && space.is_known(piece.surfaces[i]);
     f[i] = local_form(space.form(piece.surfaces[i]), piece.box);
     is_plane[i] = space.is_plane(piece.surfaces[i]);
+    surface[i] = piece.surfaces[i];
   }
   if (are_known) merge_twins();
 }
@@ -31,6 +41,7 @@ void PieceForms::merge_twins() {
       if (j != last) {
         f[j] = f[last];
         is_plane[j] = is_plane[last];
+        surface[j] = surface[last];
         table = table.renamed(last, j);
       }
     }
@@ -70,11 +81,7 @@ Range PieceForms::bend_of(const LocalForm& form) const {
 bool PieceForms::surely_hold(Vector d) const {
   TruthTable values = table;
   for (std::size_t i = 0; i < count; ++i) {
-    double value = f[i].value + dot(f[i].gradient, d);
-    for (std::size_t k = 0; k < 6; ++k) {
-      const auto [a, b] = Moments::pair[k];
-      value += f[i].bend[k] * d[a] * d[b];
-    }
+    const double value = value_at(f[i], d);
     if (std::fabs(value) > 2 * f[i].slack) values = values.with(i, value > 0);
   }
   return values.is_always();

@@ -33,7 +33,8 @@ struct PieceForms {
   Vector half;
   std::array<LocalForm, Piece::most_surfaces> f{};
   std::array<bool, Piece::most_surfaces> is_plane{};
-  bool are_known = true;  ///< all of them
+  std::array<std::uint32_t, Piece::most_surfaces> surface{};  ///< SurfaceId, of twins the first
+  bool are_known = true;                                      ///< all of them
 
   double volume() const { return 8 * half.x * half.y * half.z; }
   /// What the second-degree terms come to in the box.
@@ -47,6 +48,9 @@ struct PieceForms {
   void merge_twins();
   bool merge(std::size_t i, std::size_t j);
 };
+
+/// A form at a place, from the middle of its box.
+double value_at(const LocalForm& form, Vector d);
 
 /// The coefficient of the product of two axes.
 inline double bend_along(const LocalForm& form, std::size_t i, std::size_t j) {

@@ -11,6 +11,8 @@
 #include <limits>
 #include <utility>
 
+#include "measure/detail/piece_cut.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -186,22 +188,10 @@ class Refinement {
     return true;
   }
 
-  /// Crowded pieces are cut along each axis: what leaves the fewest surfaces in the halves is best, as for layers side
-  /// by side.
+  /// Crowded pieces across whichever axis is best, as for layers side by side.
   static std::pair<Piece, Piece> cut(PieceCutter& cutter, const Part& part) {
-    std::pair<Piece, Piece> best = cut(cutter, part.piece, part.estimate.split);
-    if (!part.piece.is_crowded()) return best;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (axis == part.estimate.split) continue;
-      std::pair<Piece, Piece> other = cut(cutter, part.piece, axis);
-      if (other.first.count + other.second.count < best.first.count + best.second.count) best = std::move(other);
-    }
-    return best;
-  }
-  // Not in the middle: faces are likely there, and one along a cut is nobody's for sure.
-  static std::pair<Piece, Piece> cut(PieceCutter& cutter, const Piece& piece, std::size_t axis) {
-    const double low = piece.box.lower[axis];
-    return cutter.cut(piece, axis, low + 0.4887 * (piece.box.upper[axis] - low));
+    return part.piece.is_crowded() ? cut_apart(cutter, part.piece, part.estimate.split)
+                                   : cut_across(cutter, part.piece, part.estimate.split);
   }
 
   // From the parts, not from what was added and taken away on the way.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "measure/detail/section_arcs.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <queue>
 #include <utility>
 
 #include "measure/detail/column_layout.h"
+#include "measure/detail/piece_cut.h"
 #include "measure/detail/piece_forms.h"
 
 namespace csgcast::detail {
@@ -34,7 +34,7 @@ class Tracer {
       }
       const Vector size = piece.box.upper - piece.box.lower;
       const std::size_t axis = size.x >= size.y ? 0 : 1;
-      auto [below, above] = cutter_.cut(piece, axis, piece.box.lower[axis] + 0.4887 * size[axis]);
+      auto [below, above] = cut_across(cutter_, piece, axis);
       open_.push(sized(std::move(below)));
       open_.push(sized(std::move(above)));
     }
@@ -62,14 +62,14 @@ class Tracer {
       ColumnLayout layout(forms, swaps ? Sheet::Axes{1, 0, 2} : Sheet::Axes{0, 1, 2});
       if (!layout.find() || !layout.sheets().empty()) continue;
       for (const YRange range : layout.ranges()) {
-        for (const Curve& curve : layout.curves()) add_arc(piece, layout, curve, range);
+        for (const Curve& curve : layout.curves()) add_arc(layout, curve, range);
       }
       return true;
     }
     return false;
   }
 
-  void add_arc(const Piece& piece, const ColumnLayout& layout, const Curve& curve, YRange range) {
+  void add_arc(const ColumnLayout& layout, const Curve& curve, YRange range) {
     const auto x_at = [&](double y) { return curve.x.height() + curve.x.away_at(y, 0); };
     const double y = 0.5 * (range.low + range.high);
     if (!(std::fabs(x_at(y)) < layout.hx())) return;
@@ -88,20 +88,11 @@ class Tracer {
       p[ay] = forms.middle[ay] + at;
       return p;
     };
-    Arc arc{place(range.low), place(y), place(range.high), surface_of(piece, forms, *curve.wall)};
+    Arc arc{place(range.low), place(y), place(range.high), forms.surface[*curve.wall]};
     // Upwards along y the left is towards lower x, if x and y are right-handed.
     if (is_inside_right == (ax == 0)) std::swap(arc.from, arc.to);
     trace_.arcs.push_back(arc);
     trace_.displaced = std::fmax(trace_.displaced, curve.form.slack / curve.least_slope);
-  }
-
-  /// Twins that were merged took other places: found again by their forms.
-  std::uint32_t surface_of(const Piece& piece, const PieceForms& forms, std::size_t i) const {
-    for (std::size_t k = 0; k < piece.count; ++k) {
-      const LocalForm form = local_form(space_.form(piece.surfaces[k]), piece.box);
-      if (form.value == forms.f[i].value && form.gradient == forms.f[i].gradient) return piece.surfaces[k];
-    }
-    return piece.surfaces[std::min<std::size_t>(i, piece.count - 1)];
   }
 
   const Space& space_;

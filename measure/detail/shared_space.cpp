@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "measure/detail/estimate.h"
+#include "measure/detail/piece_cut.h"
 #include "measure/detail/piece_forms.h"
 #include "measure/detail/refinement.h"
 
@@ -58,24 +59,6 @@ class PlaceSearch {
   }
   static bool holds_less(const Candidate& a, const Candidate& b) { return likely(a) < likely(b); }
 
-  /// Across the axis that leaves the fewest surfaces in the halves.
-  std::pair<Piece, Piece> cut(const Candidate& candidate) {
-    const auto across = [&](std::size_t axis) {
-      const double low = candidate.piece.box.lower[axis];
-      return cutter_.cut(candidate.piece, axis, low + 0.4887 * (candidate.piece.box.upper[axis] - low));
-    };
-    const auto surfaces = [](const std::pair<Piece, Piece>& halves) {
-      return halves.first.count + halves.second.count;
-    };
-    std::pair<Piece, Piece> best = across(candidate.estimate.split);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (axis == candidate.estimate.split) continue;
-      std::pair<Piece, Piece> other = across(axis);
-      if (surfaces(other) < surfaces(best)) best = std::move(other);
-    }
-    return best;
-  }
-
   void dive(Candidate candidate) {
     while (!witness_ && cuts_ < most_cuts) {
       const Vector half = 0.5 * (candidate.piece.box.upper - candidate.piece.box.lower);
@@ -84,7 +67,7 @@ class PlaceSearch {
         return;
       }
       ++cuts_;
-      auto [below, above] = cut(candidate);
+      auto [below, above] = cut_apart(cutter_, candidate.piece, candidate.estimate.split);
       const std::size_t before = open_.size();
       add(std::move(below), candidate.depth + 1);
       add(std::move(above), candidate.depth + 1);
