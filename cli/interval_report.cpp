@@ -71,17 +71,16 @@ std::string IntervalReport::head() const {
 
 std::string IntervalReport::tail() const { return format_ == Format::json ? "\n]}\n" : ""; }
 
-void IntervalReport::append(std::string& out, std::uint64_t index, const Ray& ray,
-                            std::span<const FacedInterval> intervals) const {
+void IntervalReport::append(std::string& out, std::uint64_t index, const Ray& ray, const RayAnswer& answer) const {
   switch (format_) {
     case Format::csv:
-      for (const FacedInterval& interval : intervals) append_csv(out, index, interval);
+      for (const FacedInterval& interval : answer.intervals) append_csv(out, index, interval);
       return;
     case Format::json:
-      append_json(out, index, ray, intervals);
+      append_json(out, index, ray, answer);
       return;
     case Format::table:
-      append_table(out, index, ray, intervals);
+      append_table(out, index, ray, answer);
       return;
   }
 }
@@ -99,13 +98,12 @@ void IntervalReport::append_csv(std::string& out, std::uint64_t index, const Fac
   out += '\n';
 }
 
-void IntervalReport::append_json(std::string& out, std::uint64_t index, const Ray& ray,
-                                 std::span<const FacedInterval> intervals) const {
+void IntervalReport::append_json(std::string& out, std::uint64_t index, const Ray& ray, const RayAnswer& answer) const {
   out += index == 0 ? "\n" : ",\n";
   Json json(out);
   json.begin_object(Json::Layout::compact).member("ray", index);
   json.member("origin", ray.origin()).member("direction", ray.direction()).key("intervals").begin_array();
-  for (const FacedInterval& faced : intervals) {
+  for (const FacedInterval& faced : answer.intervals) {
     const auto [entry, exit] = faced.interval;
     json.begin_object().member("t_entry", entry.t).member("t_exit", exit.t);
     json.member("unbounded", std::isinf(entry.t) || std::isinf(exit.t));
@@ -121,14 +119,23 @@ void IntervalReport::append_json(std::string& out, std::uint64_t index, const Ra
     }
     json.end_object();
   }
-  json.end_array().end_object();
+  json.end_array();
+  if (shows_overlaps()) {
+    json.key("overlaps").begin_array();
+    for (const PartOverlap& overlap : answer.overlaps) {
+      json.begin_object().key("parts").begin_array().value(*part_name(overlap.first));
+      json.value(*part_name(overlap.second)).end_array();
+      json.member("t_entry", overlap.common.entry.t).member("t_exit", overlap.common.exit.t).end_object();
+    }
+    json.end_array().member("overlap_count", answer.overlap_count);
+  }
+  json.end_object();
 }
 
-void IntervalReport::append_table(std::string& out, std::uint64_t index, const Ray& ray,
-                                  std::span<const FacedInterval> intervals) const {
+void IntervalReport::append_table(std::string& out, std::uint64_t index, const Ray& ray, const RayAnswer& answer) const {
   if (index > 0) out += '\n';
   out += fmt::format("ray {} from {} along {}", index, coordinates(ray.origin()), coordinates(ray.direction()));
-  if (intervals.empty()) {
+  if (answer.intervals.empty()) {
     out += ": nothing\n";
     return;
   }
@@ -145,7 +152,7 @@ void IntervalReport::append_table(std::string& out, std::uint64_t index, const R
   const auto solid = [&](const std::optional<EndFace>& face) {
     return face ? fmt::format("{} {}", word(scene_.leaf(face->leaf).kind), solid_place(face)) : "-";
   };
-  for (const FacedInterval& faced : intervals) {
+  for (const FacedInterval& faced : answer.intervals) {
     const auto [entry, exit] = faced.interval;
     const std::string* part = part_name(faced.part);
     table.add({number(entry.t), number(exit.t), number((exit.t - entry.t) * length(ray.direction())),
@@ -153,6 +160,21 @@ void IntervalReport::append_table(std::string& out, std::uint64_t index, const R
                part != nullptr ? printable(*part) : "-"});
   }
   table.append_to(out, "  ");
+  append_overlaps(out, ray, answer);
+}
+
+void IntervalReport::append_overlaps(std::string& out, const Ray& ray, const RayAnswer& answer) const {
+  if (answer.overlaps.empty()) return;
+  using enum Table::Align;
+  Table table({{"t_entry"}, {"t_exit"}, {"length"}, {"overlap of", left}, {"with", left}});
+  for (const PartOverlap& overlap : answer.overlaps) {
+    const auto [entry, exit] = overlap.common;
+    table.add({number(entry.t), number(exit.t), number((exit.t - entry.t) * length(ray.direction())),
+               printable(*part_name(overlap.first)), printable(*part_name(overlap.second))});
+  }
+  table.append_to(out, "  ");
+  if (answer.overlap_count > answer.overlaps.size())
+    out += fmt::format("  and {} more overlaps\n", answer.overlap_count - answer.overlaps.size());
 }
 
 /// `line:column` of the leaf that a face belongs to; empty without a face.

@@ -73,19 +73,30 @@ class IntervalWorker {
                    "coordinates up to 2^400 and directions from 2^-400 to 2^400 work", "choose another unit of length");
     }
     const Ray ray({v[0], v[1], v[2]}, {v[3], v[4], v[5]});
-    found_.clear();
+    answer_.intervals.clear();
+    is_begun_ = false;
     const Scene& scene = caster_.scene();
     if (packets_) {
       add_by_cells(ray);
     } else {
-      caster_.begin(ray);
+      begin(ray);
       if (by_ == By::scene) add(scene.root(), std::nullopt);
       for (std::uint32_t i = 0; by_ == By::part && i < scene.parts().size(); ++i) add(scene.parts()[i].node, PartId(i));
     }
-    report_.append(text, row.index, ray, found_);
+    if (report_.shows_overlaps()) {
+      begin(ray);
+      answer_.overlap_count = overlaps_.find(caster_, span_, IntervalReport::most_overlaps, answer_.overlaps);
+    }
+    report_.append(text, row.index, ray, answer_);
   }
 
  private:
+  /// Turns the caster to the ray, unless that is done.
+  void begin(const Ray& ray) {
+    if (!is_begun_) caster_.begin(ray);
+    is_begun_ = true;
+  }
+
   /// The intervals of one node; `part` is whose they are if that is known.
   void add(NodeId node, std::optional<PartId> part) {
     caster_.intervals(node, list_, span_);
@@ -93,23 +104,21 @@ class IntervalWorker {
       FacedInterval faced{
           interval, face(node, interval.entry, Passage::entry), face(node, interval.exit, Passage::exit), {}};
       faced.part = part ? *part : part_of(faced);
-      found_.push_back(faced);
+      answer_.intervals.push_back(faced);
     }
   }
 
   /// Those of the whole solid.
   void add_by_cells(const Ray& ray) {
     packets_->intervals(std::span(&ray, 1), batch_, span_, Rounding::nearest, PacketCaster::Ends::faces);
-    bool is_begun = false;
     const auto face = [&](std::size_t end) {
       return batch_.faces[end].leaf.valid() ? std::optional(batch_.faces[end]) : std::nullopt;
     };
     for (std::size_t i = 0; i < batch_.intervals.size(); ++i) {
       FacedInterval faced{batch_.intervals[i], face(2 * i), face(2 * i + 1), {}};
-      if (!faced.entry && !is_begun) caster_.begin(ray);
-      is_begun = is_begun || !faced.entry;
+      if (!faced.entry) begin(ray);
       faced.part = part_of(faced);
-      found_.push_back(faced);
+      answer_.intervals.push_back(faced);
     }
   }
 
@@ -140,7 +149,9 @@ class IntervalWorker {
   By by_;
   IntervalList list_;
   IntervalList part_list_;
-  std::vector<FacedInterval> found_;
+  PartOverlaps overlaps_;
+  RayAnswer answer_;
+  bool is_begun_ = false;  // the caster is at the present ray
 };
 
 void run(const IntervalsOptions& options) {

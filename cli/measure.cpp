@@ -50,7 +50,8 @@ std::string certain_digits(double value, double error) {
   if (std::isinf(error)) return "unknown";
   if (!std::isfinite(value) || !(error > 0)) return number(value);
   const int digits = static_cast<int>(std::ceil(std::log10(std::fmax(std::fabs(value) / error, 1)))) + 1;
-  return fmt::format("{:.{}g}", value, std::min(digits, 17));
+  const std::string text = fmt::format("{:.{}g}", value, std::min(digits, 17));
+  return text == "-0" ? "0" : text;
 }
 
 std::string with_error(double value, double error) {

@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 #include <tbb/info.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
 #include "cli/options.h"
+#include "cli/printable.h"
 #include "cli/stopwatch.h"
+#include "csg/parts.h"
 #include "csg/text/reader.h"
 
 namespace csgcast::cli {
@@ -28,6 +31,25 @@ Welding parse_welding(const std::string& text) {
   return Welding::by_hand(relative);
 }
 
+/// The parts asked for alone. Throws Error naming the parts that there are if one is not among them.
+Solid selected(Solid solid, const SceneOptions& options) {
+  if (options.parts.empty()) return solid;
+  const std::vector<std::string> known = part_names(solid);
+  for (const std::string& name : options.parts) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    constexpr std::size_t most_listed = 20;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(known.size(), most_listed); ++i) {
+      list += (i > 0 ? ", " : "") + printable(known[i]);
+    }
+    if (known.size() > most_listed) list += fmt::format(" and {} more", known.size() - most_listed);
+    throw Error(ErrorCode::usage, {options.path, 0, 0}, fmt::format("no part is named '{}'", printable(name)),
+                "--part takes the name of a part(\"name\") statement",
+                known.empty() ? "name one, or leave --part out" : "the parts are " + list);
+  }
+  return only_parts(solid, options.parts);
+}
+
 }  // namespace
 
 void add_scene_options(CLI::App& line, SceneOptions& options) {
@@ -42,6 +64,9 @@ void add_scene_options(CLI::App& line, SceneOptions& options) {
           "--weld", [&options](const std::string& text) { options.welding = parse_welding(text); },
           "Faces at most this share of the scene's size apart are one (default: what rounding explains; 0: none)")
       ->type_name("RELATIVE");
+  line.add_option("--part", options.parts, "Only the part of this name, as if it were all the scene holds; repeatable")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   line.add_option_function<std::string>(
           "--threads",
           [&options](const std::string& text) { options.threads = parse_count("--threads", text, 1, most_threads); },
@@ -66,6 +91,7 @@ SceneInput compile_document(DocumentInput input, const SceneOptions& options) {
   SceneInput result;
   const FileName file = input.document.file;
   result.description = text::build(std::move(input.document), {options.facets});
+  result.description.solid = selected(std::move(result.description.solid), options);
   result.read_seconds = input.read_seconds + build_watch.seconds();
   if (!options.quiet) {
     for (const Warning& warning : result.description.warnings) fmt::print(stderr, "{}\n", to_string(warning));

@@ -19,14 +19,15 @@ struct SceneOptions {
   std::string path;
   text::Facets facets = text::Facets::automatic;
   Welding welding = Welding::derived();
+  std::vector<std::string> parts;  ///< those that are all there is; none: the whole scene
   int threads = 0;  ///< 0: all cores
   bool quiet = false;
 
   Progress::Show progress() const { return quiet ? Progress::Show::never : Progress::Show::if_terminal; }
 };
 
-/// Adds the scene's place on the command line, --facets, --weld, --threads and --quiet. `options` must live as long as
-/// `line`.
+/// Adds the scene's place on the command line, --facets, --weld, --part, --threads and --quiet. `options` must live as
+/// long as `line`.
 void add_scene_options(CLI::App& line, SceneOptions& options);
 
 /// The number of threads to use: what was asked for, else one for each core that the process may use.

@@ -62,7 +62,7 @@ Film thickness_map(const Cells& cells, const View& view, int width, int height) 
 }
 
 std::string as_text(const Scene& scene, const std::optional<ThinPlace>& thinnest) {
-  if (!thinnest) return "thinnest    none: the solid is empty, or may be unbounded\n";
+  if (!thinnest) return "thinnest    none: the solid is empty, or may be unbounded (--part NAME takes a part alone)\n";
   const auto& [thickness, p, n, leaf] = *thinnest;
   return fmt::format("thinnest    {}  at {},{},{}  normal {},{},{}  face of {}\n", number(thickness), number(p.x),
                      number(p.y), number(p.z), number(n.x), number(n.y), number(n.z), leaf_name(scene, leaf));

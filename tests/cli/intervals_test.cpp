@@ -91,6 +91,34 @@ TEST_CASE("by part: touching parts keep their own lists, the scene's list joins 
   CHECK(intervals(folder, by_part).out == columns + "0,1,2,-1,0,0,1,0,0,1:13,1:13,a\n0,2,3,-1,0,0,1,0,0,2:36,2:36,b\n");
 }
 
+TEST_CASE("where a ray is in two parts at once, table and JSON tell it; parts that touch do not overlap") {
+  const SceneFolder folder(
+      "part(\"a\") { cube(2); }\npart(\"b\") { translate([1, 0, 0]) { cube(2); } }\n"
+      "part(\"c\") { translate([3, 0, 0]) { cube(2); } }");
+  const Outcome table = intervals(folder, {"--ray", "-1,1,1,2,0,0"});
+  CHECK(table.exit_code == 0);
+  CHECK(table.out ==
+        "ray 0 from -1,1,1 along 2,0,0\n"
+        "  t_entry  t_exit  length  entry_obliquity  exit_obliquity  entry_solid  exit_solid  part\n"
+        "      0.5       3       5             0.00            0.00  cube 1:13    cube 3:36   a\n"
+        "  t_entry  t_exit  length  overlap of  with\n"
+        "        1     1.5       1  a           b\n");
+  for (const char* by : {"scene", "part"}) {
+    const std::string json =
+        intervals(folder, {"--ray", "-1,1,1,2,0,0", "--tmax", "1.25", "--format", "json", "--by", by}).out;
+    CHECK(json.find("\"overlaps\": [{\"parts\": [\"a\", \"b\"], \"t_entry\": 1, \"t_exit\": 1.25}], "
+                    "\"overlap_count\": 1}") != std::string::npos);
+  }
+}
+
+TEST_CASE("of more overlaps than a ray can show the rest is counted") {
+  std::string text;
+  for (int i = 0; i < 100; ++i) text += "part(\"p" + std::to_string(i) + "\") { cube(2); }\n";
+  const SceneFolder folder(text);
+  const std::string out = intervals(folder, {"--ray", "-1,1,1,2,0,0"}).out;
+  CHECK(out.find("  and 3950 more overlaps\n") != std::string::npos);
+}
+
 TEST_CASE("the part of an interval that is cut off at its start is the one that holds the start") {
   const SceneFolder folder(
       "part(\"a\") { cube(1); }\npart(\"b\") { translate([1, 0, 0]) { cube(1); } }\ntranslate([2, 0, 0]) { cube(1); }");

@@ -6,6 +6,7 @@
 
 #include "csg/primitives.h"
 #include "raycast/caster.h"
+#include "raycast/part_overlaps.h"
 #include "tests/support/catch.h"
 #include "tests/support/examples.h"
 #include "tests/support/scene_rays.h"
@@ -146,6 +147,7 @@ class Laws {
     caster_.intervals(scene_.parts()[1].node, second_, Span::line());
     caster_.intervals(both_, Span::line());
     overlaps += overlap(first_, second_) || !common_(ray).empty();
+    overlaps += part_overlaps_.find(caster_, Span::line(), 1, listed_) != 0;
     gaps += !gap_(ray).empty() || joined(first_, second_) != joined(both_, {});
     shared += !first_.empty() && !second_.empty();
   }
@@ -160,6 +162,8 @@ class Laws {
   LineOf common_;
   LineOf gap_;
   IntervalList first_, second_, both_;
+  PartOverlaps part_overlaps_;
+  std::vector<PartOverlap> listed_;
 };
 
 }  // namespace
