@@ -6,7 +6,6 @@
 #include "cli/distinct_files.h"
 #include "cli/json.h"
 #include "cli/labelled_row.h"
-#include "cli/leaf_name.h"
 #include "cli/number.h"
 #include "cli/output.h"
 #include "cli/printable.h"
@@ -36,6 +35,17 @@ bool is_touch(const Scene& scene, const Contact& contact) {
   return contact.most <= 0x1p-30 * std::fmin(volume(contact.first), volume(contact.second));
 }
 
+const char* reason(Redundancy::Why why) {
+  switch (why) {
+    case Redundancy::Why::is_empty:
+      return "nothing is in it";
+    case Redundancy::Why::holds_all:
+      return "the intersection is the same without it";
+    default:
+      return "without it the solid is the same";
+  }
+}
+
 std::string as_text(const Scene& scene, const CheckReport& report) {
   std::string out;
   for (const Overlap& overlap : report.overlaps) {
@@ -54,13 +64,15 @@ std::string as_text(const Scene& scene, const CheckReport& report) {
   for (const PartId part : report.unbounded) append_row(out, "unbounded", "part " + part_name(scene, part) + " may be");
   if (report.is_empty) append_row(out, "empty", "the whole solid");
   for (const PartId part : report.empty) append_row(out, "empty", "part " + part_name(scene, part));
-  for (const LeafId leaf : report.without_effect)
-    append_row(out, "no effect", leaf_name(scene, leaf) + ": without it the solid is the same");
-  if (!report.looked_at_leaves) append_row(out, "no effect", "not looked for: there are too many leaves");
+  for (const Redundancy& redundancy : report.redundant) {
+    append_row(out, "no effect",
+               fmt::format("{} at {}: {}", word(scene, redundancy), place(redundancy.place), reason(redundancy.why)));
+  }
+  if (!report.looked_for_redundancy) append_row(out, "no effect", "not looked for: there are too many leaves");
   append_welding(out, scene.weld_report());
   append_row(out, "found",
-             fmt::format("{} among {}; {} of {} leaves without effect", counted(report.overlaps.size(), "overlap"),
-                         counted(scene.parts().size(), "part"), report.without_effect.size(), scene.leaves().size()));
+             fmt::format("{} among {}; {} without effect", counted(report.overlaps.size(), "overlap"),
+                         counted(scene.parts().size(), "part"), counted(report.redundant.size(), "statement")));
   return out;
 }
 
@@ -94,11 +106,11 @@ std::string as_json(const Scene& scene, const CheckReport& report) {
     json.end_array();
   }
   json.key("without_effect").begin_array();
-  for (const LeafId leaf : report.without_effect) {
-    json.begin_object(Json::Layout::compact).member("kind", word(scene.leaf(leaf).kind));
-    json.member("place", place(scene.leaf(leaf).place)).end_object();
+  for (const Redundancy& redundancy : report.redundant) {
+    json.begin_object(Json::Layout::compact).member("kind", word(scene, redundancy));
+    json.member("place", place(redundancy.place)).member("why", reason(redundancy.why)).end_object();
   }
-  json.end_array().member("looked_at_leaves", report.looked_at_leaves);
+  json.end_array().member("looked_for_redundancy", report.looked_for_redundancy);
   json_welding(json, scene.weld_report());
   json.end_object();
   return out + '\n';
@@ -128,8 +140,8 @@ void run(const CheckCommand& command) {
 
 Command check_command(CLI::App& program) {
   auto options = std::make_shared<CheckCommand>();
-  CLI::App* line =
-      program.add_subcommand("check", "Look for parts that overlap, leaves without effect, and what may be unbounded");
+  CLI::App* line = program.add_subcommand(
+      "check", "Look for parts that overlap, statements without effect, and what may be unbounded");
   add_scene_options(*line, options->scene);
   add_choice(*line, "--format", options->format, "The format of the output",
              {{"table", Format::table}, {"json", Format::json}});

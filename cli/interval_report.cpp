@@ -132,7 +132,8 @@ void IntervalReport::append_json(std::string& out, std::uint64_t index, const Ra
   json.end_object();
 }
 
-void IntervalReport::append_table(std::string& out, std::uint64_t index, const Ray& ray, const RayAnswer& answer) const {
+void IntervalReport::append_table(std::string& out, std::uint64_t index, const Ray& ray,
+                                  const RayAnswer& answer) const {
   if (index > 0) out += '\n';
   out += fmt::format("ray {} from {} along {}", index, coordinates(ray.origin()), coordinates(ray.direction()));
   if (answer.intervals.empty()) {

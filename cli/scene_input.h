@@ -20,7 +20,7 @@ struct SceneOptions {
   text::Facets facets = text::Facets::automatic;
   Welding welding = Welding::derived();
   std::vector<std::string> parts;  ///< those that are all there is; none: the whole scene
-  int threads = 0;  ///< 0: all cores
+  int threads = 0;                 ///< 0: all cores
   bool quiet = false;
 
   Progress::Show progress() const { return quiet ? Progress::Show::never : Progress::Show::if_terminal; }

@@ -87,7 +87,9 @@ void run(const SectionCommand& command) {
   tbb::task_arena arena(thread_count(command.scene));
   const Section cut = arena.execute([&] { return section(input.scene, plane, job); });
   if ((is_drawing || is_image) && !cut.is_bounded)
-    throw UsageError("the solid may be unbounded: there is no picture of its section; intersect it with a box, or take parts of it alone (--part)");
+    throw UsageError(
+        "the solid may be unbounded: there is no picture of its section; intersect it with a box, or take parts of it "
+        "alone (--part)");
   if (is_image)
     return write_image(arena.execute([&] { return section_image(input.scene, plane, cut, pixels); }), command.output);
   output->write(is_drawing ? section_svg(cut, picture_tolerance(cut)) : as_json(cut));

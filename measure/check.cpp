@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "measure/detail/redundancies.h"
 #include "measure/detail/shared_space.h"
 #include "raycast/caster.h"
 #include "raycast/interval_list.h"
@@ -56,7 +57,10 @@ class Checker {
     report_.is_empty = is_empty(scene_.root());
     check_parts();
     check_pairs();
-    check_leaves();
+    report_.looked_for_redundancy = scene_.leaves().size() <= options_.most_leaves;
+    if (report_.looked_for_redundancy)
+      report_.redundant = detail::redundancies(
+          space_, [&](NodeId node) { return is_empty(node); }, [&](double done) { return tell(0.5 + 0.5 * done); });
     return std::move(report_);
   }
 
@@ -124,24 +128,6 @@ class Checker {
     }
   }
 
-  void check_leaves() {
-    const std::size_t count = scene_.leaves().size();
-    report_.looked_at_leaves = count <= options_.most_leaves;
-    if (!report_.looked_at_leaves) return;
-    std::vector<bool> is_bounded(count);
-    for (const Node& node : scene_.nodes()) {
-      if (node.op == Node::Op::leaf) is_bounded[node.first] = node.box.is_finite() || node.box.is_null();
-    }
-    const detail::LineTest none = [](Point, Vector) { return std::optional<Point>(); };
-    for (std::uint32_t i = 0; i < count && tell(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(count)); ++i) {
-      if (!is_bounded[i]) continue;
-      const Space effect = space_.effect_of(LeafId(i));
-      if (!effect.is_bounded()) continue;
-      const detail::SearchResult found = detail::find_place(effect, none);
-      if (!found.witness && found.is_empty) report_.without_effect.emplace_back(i);
-    }
-  }
-
   bool tell(double done) const { return !options_.goes_on || options_.goes_on(done); }
 
   const Scene& scene_;
@@ -152,6 +138,21 @@ class Checker {
 };
 
 }  // namespace
+
+const char* word(const Scene& scene, const Redundancy& redundancy) {
+  switch (redundancy.op) {
+    case Node::Op::leaf:
+      return word(scene.leaf(LeafId(redundancy.first_leaf)).kind);
+    case Node::Op::intersect:
+      return "intersection";
+    case Node::Op::subtract:
+      return "difference";
+    case Node::Op::complement:
+      return "complement";
+    default:
+      return "union";
+  }
+}
 
 CheckReport check(const Scene& scene, const CheckOptions& options) { return Checker(scene, options)(); }
 

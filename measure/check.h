@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -28,28 +29,45 @@ struct Contact {
   double most = 0;  ///< of the shared volume
 };
 
+/// A statement, a leaf or one that joins solids, that the solid would be the same without.
+struct Redundancy {
+  enum class Why {
+    is_empty,       ///< nothing is in it
+    has_no_effect,  ///< its place is taken, or nothing is there to be cut
+    holds_all,      ///< it is an operand of an intersection, and the others are all within it
+  };
+  Why why = Why::has_no_effect;
+  Node::Op op = Node::Op::leaf;
+  std::uint32_t first_leaf = 0;  ///< of those in it: [first_leaf, leaf_end); a leaf's own
+  std::uint32_t leaf_end = 0;
+  Place place;
+};
+
+/// The scene text's word for it: `sphere`, `difference`; in code made `a + b` is a union.
+const char* word(const Scene& scene, const Redundancy& redundancy);
+
 /// What may be wrong with a solid.
 struct CheckReport {
   std::vector<Overlap> overlaps;
-  std::vector<Contact> undecided;      ///< neither shown to overlap nor not to
-  std::vector<PartId> unbounded;       ///< that may be
-  std::vector<PartId> empty;           ///< without an inside
-  std::vector<LeafId> without_effect;  ///< the solid would be the same without them, one at a time
-  bool is_unbounded = false;           ///< the whole solid may be
+  std::vector<Contact> undecided;  ///< neither shown to overlap nor not to
+  std::vector<PartId> unbounded;   ///< that may be
+  std::vector<PartId> empty;       ///< without an inside
+  /// The solid would be the same without these, one at a time: in file order, none within another.
+  std::vector<Redundancy> redundant;
+  bool is_unbounded = false;  ///< the whole solid may be
   bool is_empty = false;
-  bool looked_at_leaves = true;  ///< false: there are too many
+  bool looked_for_redundancy = true;  ///< false: there are too many leaves
 };
 
 struct CheckOptions {
-  std::size_t most_leaves =
-      20'000;  ///< more are not searched for those without effect, which takes time by their square
+  std::size_t most_leaves = 1'000'000;  ///< with more it is not looked for what is redundant, which takes a search each
   /// Called now and then with the share done; false: enough. May be empty.
   std::function<bool(double)> goes_on;
 };
 
 /// Overlaps are decided by certified rays: one is reported exactly if a ray was found on which both parts are inside at
-/// once. Parts whose faces only touch, or coincide, share nothing. Unbounded leaves are never among those without
-/// effect.
+/// once. Parts whose faces only touch, or coincide, share nothing. What is redundant is proved; of what may have an
+/// unbounded effect, or meets the boxes of hundreds of others, nothing is.
 CheckReport check(const Scene& scene, const CheckOptions& options = {});
 
 }  // namespace csgcast

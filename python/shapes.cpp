@@ -68,19 +68,23 @@ py::dict checked(const Model& model, py::object callback) {
   progress.rethrow();
   const auto name = [&](PartId part) { return scene.parts()[part.index()].name.name; };
   py::dict d;
-  py::list overlaps, undecided, unbounded, empty, leaves;
+  py::list overlaps, undecided, unbounded, empty, redundant;
   for (const Overlap& o : report.overlaps)
     overlaps.append(py::make_tuple(name(o.first), name(o.second), o.volume.value, o.volume.error,
                                    vector_array(as_vector(o.witness))));
   for (const Contact& c : report.undecided) undecided.append(py::make_tuple(name(c.first), name(c.second), c.most));
   for (const PartId part : report.unbounded) unbounded.append(name(part));
   for (const PartId part : report.empty) empty.append(name(part));
-  for (const LeafId leaf : report.without_effect) leaves.append(leaf.index());
+  for (const Redundancy& r : report.redundant) {
+    const std::string kind = word(scene, r);
+    redundant.append(py::make_tuple(r.place.line > 0 ? kind + " at " + to_string(r.place) : kind,
+                                    py::module_::import("builtins").attr("range")(r.first_leaf, r.leaf_end)));
+  }
   d["overlaps"] = overlaps;
   d["undecided"] = undecided;
   d["unbounded_parts"] = unbounded;
   d["empty_parts"] = empty;
-  d["leaves_without_effect"] = leaves;
+  d["without_effect"] = redundant;
   d["is_unbounded"] = report.is_unbounded;
   d["is_empty"] = report.is_empty;
   return d;

@@ -21,8 +21,8 @@ struct PartOverlap {
 class PartOverlaps {
  public:
   /// For each pair of parts of the caster's scene where its present ray is in both, within the span: by where they end
-  /// on the ray, then in file order. At most `most` of them are listed; what is returned is how many there are. Time and
-  /// memory: those of a list for each part, plus what is listed. The vector is overwritten.
+  /// on the ray, then in file order. At most `most` of them are listed; what is returned is how many there are. Time
+  /// and memory: those of a list for each part, plus what is listed. The vector is overwritten.
   std::uint64_t find(Caster& caster, Span span, std::size_t most, std::vector<PartOverlap>& overlaps);
 
  private:

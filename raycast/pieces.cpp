@@ -23,6 +23,9 @@ LocalForm multiple(LocalForm form, double s) {
   return form;
 }
 
+// Trees that have more near a node are not asked what it brings: that takes time by the third power of it.
+constexpr std::size_t most_terms_of_effect = 2048;
+
 // Whether g is negative in the box wherever f is at most 0: then g - s f is so everywhere for some s >= 0.
 bool implies(const LocalForm& f, const LocalForm& g, Vector half) {
   double product = 0;
@@ -74,21 +77,19 @@ Space Space::common(NodeId a, NodeId b) const {
   return result;
 }
 
-Space Space::effect_of(LeafId leaf) const {
-  CellBox box = ground_->leaf_boxes[leaf.index()];
-  if (ground_->is_bounded) box = detail::intersection(ground_->box, box);
-  const Vector size = box.upper - box.lower;
-  const bool is_null = !(size.x > 0 && size.y > 0 && size.z > 0);
-  if (is_null) return {ground_, detail::Formula(), ground_->box};
-  detail::Formula near;
-  detail::Folder().fold(
-      *formula_, near,
-      [&](LeafId other) {
-        return detail::apart(ground_->leaf_boxes[other.index()], box) ? detail::Known::no : detail::Known::open;
-      },
-      [](const detail::Term&) { return detail::Known::open; });
-  Space result(ground_, detail::formula_of_effect(near, leaf), box);
-  result.is_bounded_ = longest(size) < HUGE_VAL;
+Space Space::effect_of(NodeId node, bool as_everything, const Box& reach) const {
+  if (reach.is_null()) return {ground_, detail::Formula(), ground_->box};
+  if (!reach.is_finite()) return unbounded();
+  const CellBox box = ground_->tight_box_of(reach);
+  // Turned forms are told for places near the frame only.
+  if (ground_->axes && !detail::near_frame(box)) return unbounded();
+  auto formula = detail::formula_of_effect(scene(), node_, node, as_everything, reach, most_terms_of_effect);
+  return formula ? Space(ground_, std::move(*formula), box) : unbounded();
+}
+
+Space Space::unbounded() const {
+  Space result(ground_, detail::Formula(), ground_->box);
+  result.is_bounded_ = false;
   return result;
 }
 

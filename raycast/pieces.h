@@ -56,8 +56,10 @@ class Space {
   /// Its section with the plane normal . p = distance, of height 1: in coordinates x and y of the plane; no surface
   /// depends on z, which goes from -1/2 to 1/2. Precondition: the space is bounded, the normal not zero.
   Space section(Vector normal, double distance) const;
-  /// Where the solid of this space would be another one without a leaf.
-  Space effect_of(LeafId leaf) const;
+  /// Where the whole solid would be another one if one of its nodes were empty, or everything. Made from the whole
+  /// solid's space. `reach` holds all of that; if it is infinite,
+  /// or meets more than some 300 leaves, the result is not bounded.
+  Space effect_of(NodeId node, bool as_everything, const Box& reach) const;
 
   const Scene& scene() const;
   /// False if the solid may be unbounded: then there are no pieces.
@@ -83,6 +85,7 @@ class Space {
 
  private:
   friend class PieceCutter;
+  Space unbounded() const;
   Space(std::shared_ptr<const detail::CellGround> ground, detail::Formula formula, CellBox box, NodeId node = {});
 
   std::shared_ptr<const detail::CellGround> ground_;

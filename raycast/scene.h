@@ -46,6 +46,16 @@ struct Node {
   Box box;  ///< holds the closed set, with a margin; for culling only
 };
 
+/// What became of a statement that joins solids, unless it is a union at the top of all, or of a part: those are
+/// dissolved. Its leaves are [first_leaf, leaf_end).
+struct Operation {
+  Node::Op op = Node::Op::unite;  ///< that of the statement; that of its node where it is empty may be another
+  NodeId node;                    ///< if only one operand of a union is left: that operand's
+  std::uint32_t first_leaf = 0;
+  std::uint32_t leaf_end = 0;
+  Place place;
+};
+
 struct Part {
   PartName name;
   Place place;
@@ -83,6 +93,8 @@ class Scene {
   std::span<const NodeId> children(const Node& node) const {
     return std::span(children_).subspan(node.first, node.count);
   }
+  /// Operands before their operators, in file order otherwise.
+  std::span<const Operation> operations() const { return operations_; }
   /// The whole solid: a union of the regions.
   NodeId root() const { return root_; }
   std::span<const Part> parts() const { return parts_; }
@@ -109,6 +121,7 @@ class Scene {
   std::vector<Leaf> leaves_;
   std::vector<Node> nodes_;
   std::vector<NodeId> children_;
+  std::vector<Operation> operations_;
   std::vector<Part> parts_;
   std::vector<Region> regions_;
   std::vector<Layer> layers_;

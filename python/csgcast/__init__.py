@@ -117,13 +117,13 @@ class Section:
 @_dataclass(frozen=True, eq=False)
 class Check:
     """What may be wrong with a solid. overlaps: (part, part, volume, its error, a place in both) of parts that share space, proved;
-    undecided: (part, part, the most that they may share); leaves_without_effect: without such a one, alone, the solid would be
-    the same, proved; Model.leaf() names it."""
+    undecided: (part, part, the most that they may share); without_effect: (kind and place, range of its leaves) of leaves and
+    Boolean operators without which, one at a time, the solid would be the same, proved."""
     overlaps: list
     undecided: list
     unbounded_parts: list
     empty_parts: list
-    leaves_without_effect: list
+    without_effect: list
     is_unbounded: bool
     is_empty: bool
 
@@ -177,7 +177,7 @@ class Model:
         return _core._thinnest(self._model, samples)
 
     def check(self, *, progress=None):
-        """Looks for parts that overlap, empty and unbounded parts, and leaves without effect: Check."""
+        """Looks for parts that overlap, empty and unbounded parts, and what is without effect: Check."""
         return Check(**_core._check(self._model, progress))
 
     def render(self, width=800, height=600, *, samples=1, mode="shaded", camera=None, path=None, progress=None):

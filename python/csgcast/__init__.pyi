@@ -104,7 +104,7 @@ class Check:
     undecided: list[tuple[str, str, float]]
     unbounded_parts: list[str]
     empty_parts: list[str]
-    leaves_without_effect: list[int]
+    without_effect: list[tuple[str, range]]
     is_unbounded: bool
     is_empty: bool
 

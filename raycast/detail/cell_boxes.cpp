@@ -32,7 +32,8 @@ CellBox in_frame(const Box& box, const Frame& frame) {
 }  // namespace
 
 CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {
-  if (scene.node(node).box.is_finite()) axes = common_axes(scene);
+  const Box& box_of_node = scene.node(node).box;
+  if (box_of_node.is_finite() && near_frame(in_frame(box_of_node, scene.frame()))) axes = common_axes(scene);
   forms.reserve(scene.surfaces().size());
   surfaces.reserve(scene.surfaces().size());
   for (const Surface& surface : scene.surfaces()) {
@@ -68,10 +69,14 @@ void CellGround::place_leaves(NodeId node) {
 }
 
 CellBox CellGround::box_of(const Box& world) const {
-  const CellBox straight = in_frame(world, scene.frame());
+  const CellBox own = tight_box_of(world);
   const Vector more{CellBuilder::beside, CellBuilder::beside, CellBuilder::beside};
-  const CellBox own = axes ? axes->holding(straight) : straight;
   return {own.lower - more, own.upper + more};
+}
+
+CellBox CellGround::tight_box_of(const Box& world) const {
+  const CellBox straight = in_frame(world, scene.frame());
+  return axes ? axes->holding(straight) : straight;
 }
 
 // Where the axes are turned, as tight as those of the half-spaces allow that boxes have sides along.

@@ -61,12 +61,18 @@ struct CellGround {
   LookId look_of(const Leaf& leaf, bool one_region) const;
   /// The box, in the axes of the cells, that holds a box of the scene. Precondition: it is finite.
   CellBox box_of(const Box& world) const;
+  /// The same without room beside faces in its sides.
+  CellBox tight_box_of(const Box& world) const;
 
  private:
   void place_leaves(NodeId node);
   CellBox box_of_leaf(const Leaf& leaf, const Box& world) const;
   CellBox turned_box_of(NodeId node) const;
 };
+
+/// Whether a box is where turned forms are told (CellAxes::turned): all but solids that half-spaces bound far beyond
+/// every bounded leaf are.
+inline bool near_frame(const CellBox& box) { return longest(box.lower) <= 1 && longest(box.upper) <= 1; }
 
 /// Cuts the space of a scene's node into cells, each with the formula of the surfaces that cross it.
 ///

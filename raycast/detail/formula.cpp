@@ -13,9 +13,26 @@ class Layout {
  public:
   Layout(const Scene& scene, Formula& formula) : scene_(scene), formula_(formula) {}
 
-  void run(NodeId root) {
+  /// Takes what does not meet a box for empty. The box must outlive this.
+  Layout& near(const Box& box) {
+    near_ = &box;
+    return *this;
+  }
+  /// Takes a node for empty, or everything.
+  Layout& with(NodeId node, bool as_everything) {
+    replaced_ = node;
+    as_everything_ = as_everything;
+    return *this;
+  }
+
+  /// False if that took more terms: then it was broken off, and the formula is none.
+  bool run(NodeId root, std::size_t most_terms = SIZE_MAX) {
     visit(root);
     while (!frames_.empty()) {
+      if (formula_.terms.size() > most_terms) {
+        formula_.terms.resize(1);
+        return false;
+      }
       Frame& frame = frames_.back();
       if (frame.next < frame.children.size()) {
         visit(frame.children[frame.next++]);
@@ -25,6 +42,7 @@ class Layout {
       term.size = static_cast<std::uint32_t>(formula_.terms.size()) - frame.start;
       frames_.pop_back();
     }
+    return true;
   }
 
  private:
@@ -49,6 +67,8 @@ class Layout {
 
   void visit(NodeId id) {
     const Node& node = scene_.node(id);
+    if (id == replaced_) return add_constant(as_everything_);
+    if (near_ != nullptr && csgcast::intersection(node.box, *near_).is_null()) return add_constant(false);
     const auto start = static_cast<std::uint32_t>(formula_.terms.size());
     if (node.op == Node::Op::leaf) {
       const auto half_spaces = scene_.half_spaces(scene_.leaf(LeafId(node.first)));
@@ -59,15 +79,20 @@ class Layout {
       }
       return;
     }
-    // An operator without operands: a union of none is empty, an intersection of none everything.
-    const Term::Op op = node.op == Node::Op::everything ? Term::Op::intersect : op_of(node.op);
-    formula_.terms.push_back({1, 0, op});
-    const bool is_constant = node.op == Node::Op::empty || node.op == Node::Op::everything;
-    if (!is_constant) frames_.push_back({scene_.children(node), 0, start});
+    if (node.op == Node::Op::empty || node.op == Node::Op::everything)
+      return add_constant(node.op == Node::Op::everything);
+    formula_.terms.push_back({1, 0, op_of(node.op)});
+    frames_.push_back({scene_.children(node), 0, start});
   }
+
+  // An operator without operands: a union of none is empty, an intersection of none everything.
+  void add_constant(bool value) { formula_.terms.push_back({1, 0, value ? Term::Op::intersect : Term::Op::unite}); }
 
   const Scene& scene_;
   Formula& formula_;
+  const Box* near_ = nullptr;
+  NodeId replaced_;
+  bool as_everything_ = false;
   std::vector<Frame> frames_;
 };
 
@@ -123,18 +148,22 @@ Formula formula_of_common(const Scene& scene, NodeId a, NodeId b) {
   });
 }
 
-Formula formula_of_effect(const Formula& with, LeafId leaf) {
-  Formula without;
-  Folder().fold(
-      with, without, [&](LeafId id) { return id == leaf ? Known::no : Known::open; },
-      [](const Term&) { return Known::open; });
-  const auto own = std::find_if(with.terms.begin(), with.terms.end(), [&](const Term& term) {
-    return term.op == Term::Op::leaf && LeafId(term.what) == leaf;
-  });
-  if (own == with.terms.end()) return {};
-  // Inside the leaf, where one of the two holds and the other does not.
+std::optional<Formula> formula_of_effect(const Scene& scene, NodeId root, NodeId node, bool as_everything,
+                                         const Box& near, std::size_t most_terms) {
+  bool is_short = true;
+  const auto tree = [&](NodeId of, NodeId replaced) {
+    return joined(Term::Op::unite, [&](Formula& whole) {
+      is_short = Layout(scene, whole).near(near).with(replaced, as_everything).run(of, most_terms) && is_short;
+    });
+  };
+  const Formula with = tree(root, NodeId());
+  if (!is_short) return std::nullopt;
+  const Formula without = tree(root, node);
+  const Formula own = tree(node, NodeId());
+  if (!is_short) return std::nullopt;
+  // Where one of the two holds and the other does not: inside the node, or outside if it becomes everything.
   return joined(Term::Op::intersect, [&](Formula& whole) {
-    whole.terms.insert(whole.terms.end(), own, own + own->size);
+    append(whole, as_everything ? joined(Term::Op::complement, [&](Formula& outside) { append(outside, own); }) : own);
     append(whole, joined(Term::Op::unite, [&](Formula& either) {
              append(either, difference(with, without));
              append(either, difference(without, with));

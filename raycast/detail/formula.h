@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -37,8 +39,10 @@ Formula formula_of(const Scene& scene, NodeId node);
 Formula formula_of_difference(const Scene& scene, NodeId node, std::span<const NodeId> less);
 /// What is below both of two.
 Formula formula_of_common(const Scene& scene, NodeId a, NodeId b);
-/// Where a formula has another value without a leaf of it.
-Formula formula_of_effect(const Formula& with, LeafId leaf);
+/// Where the tree below a root would have another value if one of its nodes were empty, or everything; as far as that
+/// depends on what meets the box. Nothing if the tree near there takes more than `most_terms`.
+std::optional<Formula> formula_of_effect(const Scene& scene, NodeId root, NodeId node, bool as_everything,
+                                         const Box& near, std::size_t most_terms);
 
 /// What is known of a term where a formula is folded.
 enum class Known : std::uint8_t { no, yes, open };

@@ -22,6 +22,19 @@ bool passes_through(const Solid& solid) {
          solid.kind() == Solid::Kind::part;
 }
 
+Node::Op operation_of(Solid::Kind kind) {
+  switch (kind) {
+    case Solid::Kind::intersect:
+      return Node::Op::intersect;
+    case Solid::Kind::subtract:
+      return Node::Op::subtract;
+    case Solid::Kind::complement:
+      return Node::Op::complement;
+    default:
+      return Node::Op::unite;
+  }
+}
+
 // Within these nothing in the engine over- or underflows.
 constexpr double greatest = 0x1p400;
 constexpr double least = 0x1p-400;
@@ -75,6 +88,7 @@ Scene SceneCompiler::compile(Solid solid) {
   scene_.half_spaces_.shrink_to_fit();
   scene_.nodes_.shrink_to_fit();
   scene_.children_.shrink_to_fit();
+  scene_.operations_.shrink_to_fit();
   scene_.surfaces_ = surfaces_.take(scene_.frame_);
   return std::move(scene_);
 }
@@ -181,6 +195,8 @@ void SceneCompiler::close() {
       node = add_node(Node::Op::complement, children);
   }
   results_.resize(frame.results);
+  scene_.operations_.push_back({operation_of(frame.solid.kind()), node, frame.first_leaf,
+                                static_cast<std::uint32_t>(scene_.leaves_.size()), frame.solid.place()});
   deliver(node, frame.context, frame.first_leaf);
 }
 

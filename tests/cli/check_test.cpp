@@ -8,7 +8,7 @@ using namespace csgcast::test;
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-TEST_CASE("check tells of overlaps with a place, of empty and unbounded parts, and of leaves without effect") {
+TEST_CASE("check tells of overlaps with a place, of empty and unbounded parts, and of what is without effect") {
   const TemporaryFolder folder;
   folder.write("scene.csg",
                "part(\"a\") { cube(2); }\n"
@@ -24,11 +24,13 @@ TEST_CASE("check tells of overlaps with a place, of empty and unbounded parts, a
   CHECK_FALSE(contains(outcome.out, "undecided"));
   CHECK(contains(outcome.out, "empty       part none\n"));
   CHECK(contains(outcome.out, "unbounded   part ground may be\n"));
+  CHECK(contains(outcome.out, "no effect   intersection at 4:16: nothing is in it\n"));
   CHECK(contains(outcome.out, "no effect   sphere at 6:30: without it the solid is the same\n"));
   CHECK(contains(outcome.out, "welded      nothing\n"));
   const std::string json = run(folder, {"check", "scene.csg", "--format", "json"}).out;
-  for (const char* key : {"overlaps", "undecided", "unbounded", "empty", "unbounded_parts", "empty_parts",
-                          "without_effect", "looked_at_leaves", "welded", "volume", "volume_error", "witness", "parts"})
+  for (const char* key :
+       {"overlaps", "undecided", "unbounded", "empty", "unbounded_parts", "empty_parts", "without_effect",
+        "looked_for_redundancy", "welded", "volume", "volume_error", "witness", "parts"})
     CHECK(contains(json, std::string("\"") + key + "\": "));
   CHECK(contains(json, "\"parts\": [\"a\", \"b\"]"));
 }
@@ -38,7 +40,7 @@ TEST_CASE("check writes a file whole, and nothing where the scene is bad") {
   folder.write("scene.csg", "cube(1);");
   folder.write("bad.csg", "cube(1");
   CHECK(run(folder, {"check", "scene.csg", "-o", "report.txt"}).out.empty());
-  CHECK(contains(folder.read("report.txt"), "found       0 overlaps among 0 parts; 0 of 1 leaves without effect\n"));
+  CHECK(contains(folder.read("report.txt"), "found       0 overlaps among 0 parts; 0 statements without effect\n"));
   CHECK(run(folder, {"check", "bad.csg", "-o", "report.txt"}).exit_code == 2);
   CHECK(contains(folder.read("report.txt"), "found       0 overlaps"));
 }

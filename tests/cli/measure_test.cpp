@@ -66,9 +66,10 @@ TEST_CASE("measure refuses errors that are none, and leaves the output alone") {
 
 TEST_CASE("a part alone is measured as if it were all the scene holds") {
   const TemporaryFolder folder;
-  folder.write("scene.csg",
-               "part(\"body\", density = 2) { cube(2); }\npart(\"pin, long\") { translate([9, 0, 0]) { cube([1, 1, 4]); } }\n"
-               "halfspace([0, 0, 1], -1);");
+  folder.write(
+      "scene.csg",
+      "part(\"body\", density = 2) { cube(2); }\npart(\"pin, long\") { translate([9, 0, 0]) { cube([1, 1, 4]); } }\n"
+      "halfspace([0, 0, 1], -1);");
   const Outcome body = run(folder, {"measure", "scene.csg", "--part", "body", "--format", "json"});
   CHECK(body.exit_code == 0);
   folder.write("body.csg", "part(\"body\", density = 2) { cube(2); }");
@@ -79,9 +80,10 @@ TEST_CASE("a part alone is measured as if it were all the scene holds") {
   CHECK(contains(both.out, "part pin, long, density 1"));
   const Outcome nobody = run(folder, {"measure", "scene.csg", "--part", "Body"});
   CHECK(nobody.exit_code == 2);
-  CHECK(nobody.err ==
-        "scene.csg: error: no part is named 'Body' (--part takes the name of a part(\"name\") statement); the parts are "
-        "body, pin, long\n");
+  CHECK(
+      nobody.err ==
+      "scene.csg: error: no part is named 'Body' (--part takes the name of a part(\"name\") statement); the parts are "
+      "body, pin, long\n");
   folder.write("none.csg", "cube(1);");
   CHECK(contains(run(folder, {"info", "none.csg", "--part", "x"}).err, "name one, or leave --part out"));
 }

@@ -13,10 +13,9 @@ Solid part(const std::string& name, Solid solid) { return named(std::move(solid)
 
 TEST_CASE("parts are named in file order, each once, and only where a scene may have them") {
   const Solid shared = part("s", sphere(1));
-  const Solid scene =
-      unite({transformed(part("b", box({1, 1, 1})), translation({1, 0, 0})), part("a", part("inner", sphere(2))),
-             shared, with_look(shared, {}), part("b", sphere(3)), part("cut", sphere(1)) - sphere(0.5),
-             complement(part("outside", sphere(9)))});
+  const Solid scene = unite({transformed(part("b", box({1, 1, 1})), translation({1, 0, 0})),
+                             part("a", part("inner", sphere(2))), shared, with_look(shared, {}), part("b", sphere(3)),
+                             part("cut", sphere(1)) - sphere(0.5), complement(part("outside", sphere(9)))});
   CHECK(part_names(scene) == std::vector<std::string>{"b", "a", "s"});
   CHECK(part_names({}).empty());
 }

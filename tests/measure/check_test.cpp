@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "measure/check.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "csg/primitives.h"
 #include "raycast/caster.h"
@@ -106,26 +108,159 @@ TEST_CASE("All pairs of many parts that overlap are found, in order") {
           std::pair(report.overlaps[i].first, report.overlaps[i].second));
 }
 
-TEST_CASE("Leaves without effect: hidden, missed, covered together, nothing at all") {
+TEST_CASE(
+    "What is without effect: hidden, missed, empty, holding all it is intersected with; the outermost such thing") {
+  using Why = Redundancy::Why;
   const Solid block = box({4, 4, 4}, Centering::centered);
-  const Solid scene_solid = unite({block - shifted(sphere(1), {9, 0, 0}),           // leaf 1 cuts nothing
-                                   sphere(1),                                       // 2: within the block
-                                   shifted(box({1, 1, 1}), {2, 0, 0}),              // 3: on its side, seen
-                                   block & shifted(box({9, 9, 9}), {-4, -4, -4})})  // 5: holds all of the block (4)
-      ;
-  const Scene scene = compile(scene_solid);
+  const Solid ball = sphere(1);
+  const Scene scene = compile(unite({
+      block - shifted(ball, {9, 0, 0}),                                       // leaf 1 cuts nothing
+      ball,                                                                   // 2: within the block
+      shifted(box({1, 1, 1}), {2, 0, 0}),                                     // 3: on its side, seen
+      shifted(block & shifted(box({9, 9, 9}), {-4, -4, -4}), {9, 0, 0}),      // 5: holds all of 4
+      ball & shifted(ball, {3, 0, 0}),                                        // 6, 7: apart
+      shifted(box({1, 1, 1}) & shifted(sphere(1.7), {2, 2, 2}), {-9, 0, 0}),  // 8, 9: apart, but for their boxes
+      shifted(ball - (ball - shifted(ball, {5, 0, 0})), {0, 9, 0}),           // 10 to 12: nothing is left
+      shifted(block - (ball & halfspace({0, 0, 1}, -1.5)), {0, 0, 9}),        // 14, 15: cut nothing together
+      shifted(block & halfspace({0, 0, 1}, 3), {0, 0, 18}),                   // 17: unbounded, holds all of 16
+  }));
   const CheckReport report = check(scene);
-  std::vector<std::uint32_t> found;
-  for (const LeafId leaf : report.without_effect) found.push_back(leaf.index());
-  CHECK(std::find(found.begin(), found.end(), 2u) != found.end());
-  CHECK(std::find(found.begin(), found.end(), 3u) == found.end());
+  struct Found {
+    const char* word;
+    Why why;
+    std::uint32_t first, end;
+  };
+  const std::vector<Found> expected{{"sphere", Why::has_no_effect, 1, 2},    {"sphere", Why::has_no_effect, 2, 3},
+                                    {"cube", Why::holds_all, 5, 6},          {"intersection", Why::is_empty, 6, 8},
+                                    {"intersection", Why::is_empty, 8, 10},  {"difference", Why::is_empty, 10, 13},
+                                    {"intersection", Why::is_empty, 14, 16}, {"halfspace", Why::holds_all, 17, 18}};
+  REQUIRE(report.redundant.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const Redundancy& found = report.redundant[i];
+    INFO(i);
+    CHECK(std::string(word(scene, found)) == expected[i].word);
+    CHECK(found.why == expected[i].why);
+    CHECK(found.first_leaf == expected[i].first);
+    CHECK(found.leaf_end == expected[i].end);
+  }
+}
+
+namespace {
+
+/// Boxes whose corners are quarters, joined anyhow.
+Solid tree_of_boxes(RandomSolids& random, int leaves) {
+  if (leaves == 1) return random.grid_box();
+  const int left = 1 + static_cast<int>(random.index(static_cast<std::size_t>(leaves - 1)));
+  const Solid a = tree_of_boxes(random, left), b = tree_of_boxes(random, leaves - left);
+  switch (random.index(4)) {
+    case 0:
+      return a - b;
+    case 1:
+      return a & b;
+    case 2:
+      return a & complement(b);
+    default:
+      return a + b;
+  }
+}
+
+/// The value of a scene's tree at a point, if one of its nodes were empty or everything.
+bool value_with(Caster& caster, Point p, NodeId node, NodeId replaced, bool by) {
+  if (node == replaced) return by;
+  const Scene& scene = caster.scene();
+  const Node& at = scene.node(node);
+  const auto children = scene.children(at);
+  const auto holds = [&](NodeId child) { return value_with(caster, p, child, replaced, by); };
+  switch (at.op) {
+    case Node::Op::leaf:
+      return caster.locate(node, p) == Location::inside;
+    case Node::Op::unite:
+      return std::ranges::any_of(children, holds);
+    case Node::Op::intersect:
+      return std::ranges::all_of(children, holds);
+    case Node::Op::subtract:
+      return holds(children[0]) && !holds(children[1]);
+    case Node::Op::complement:
+      return !holds(children[0]);
+    default:
+      return at.op == Node::Op::everything;
+  }
+}
+
+/// Whether a tree of boxes whose corners are quarters would be the same without a node: by the middles of all cells.
+bool is_redundant(Caster& caster, NodeId node, bool by) {
+  constexpr int quarters = 11;
+  for (int x = -quarters; x < quarters; ++x) {
+    for (int y = -quarters; y < quarters; ++y) {
+      for (int z = -quarters; z < quarters; ++z) {
+        const Point p{0.25 * x + 0.125, 0.25 * y + 0.125, 0.25 * z + 0.125};
+        const NodeId root = caster.scene().root();
+        if (value_with(caster, p, root, NodeId(), by) != value_with(caster, p, root, node, by)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("Of trees of boxes exactly those nodes are without effect that no cell of the grid shows a difference for") {
+  int found = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    RandomSolids random(seed);
+    const Scene scene = compile(box({4, 4, 4}, Centering::centered) & tree_of_boxes(random, 7));
+    const CheckReport report = check(scene);
+    Caster caster(scene);
+    const auto covered = [&](std::uint32_t leaf) {
+      return std::ranges::any_of(report.redundant,
+                                 [&](const Redundancy& r) { return r.first_leaf <= leaf && leaf < r.leaf_end; });
+    };
+    // Leaves that are no operand of an intersection, and those that are.
+    for (const Node& node : scene.nodes()) {
+      for (const NodeId child : scene.children(node)) {
+        const Node& leaf = scene.node(child);
+        if (node.op == Node::Op::leaf || leaf.op != Node::Op::leaf) continue;
+        const bool expected = is_redundant(caster, child, node.op == Node::Op::intersect);
+        INFO("seed " << seed << ", leaf " << leaf.first);
+        if (expected) CHECK(covered(leaf.first));
+        if (!expected && covered(leaf.first)) {  // then it is within something that is redundant as a whole
+          const auto whole = std::ranges::find_if(report.redundant, [&](const Redundancy& r) {
+            return r.first_leaf <= leaf.first && leaf.first < r.leaf_end;
+          });
+          CHECK(whole->op != Node::Op::leaf);
+        }
+        found += expected;
+      }
+    }
+    for (const Redundancy& r : report.redundant) {
+      const auto operation = std::ranges::find_if(scene.operations(), [&](const Operation& o) {
+        return o.first_leaf == r.first_leaf && o.leaf_end == r.leaf_end && o.op == r.op;
+      });
+      if (r.op == Node::Op::leaf) continue;
+      REQUIRE(operation != scene.operations().end());
+      INFO("seed " << seed << ", leaves from " << r.first_leaf << " to " << r.leaf_end);
+      CHECK(is_redundant(caster, operation->node, r.why == Redundancy::Why::holds_all));
+      ++found;
+    }
+  }
+  CHECK(found > 20);
 }
 
 TEST_CASE("A leaf that makes the least of a difference is not without effect") {
   const CheckReport thin = check(compile(box({1, 1, 1}) + box({1, 1, 1 + 1e-9})));
-  CHECK(thin.without_effect.size() == 1);  // the lower one
+  REQUIRE(thin.redundant.size() == 1);
+  CHECK(thin.redundant[0].first_leaf == 0);  // the lower one
   const CheckReport same = check(compile(box({1, 1, 1}) + box({1, 1, 1})));
-  CHECK(same.without_effect.size() <= 2);
+  CHECK(same.redundant.size() == 2);
+}
+
+TEST_CASE("More than a thousand solids in one place are not asked one by one, which would take minutes") {
+  Solid chain = box({1, 1, 1});
+  for (int i = 0; i < 2000; ++i) {
+    Solid next = shifted(sphere(0.1), {i % 7 / 7.0 + i / 2000.0, 0.5 * (i % 2), 0});
+    chain = i % 2 == 0 ? chain + next : chain - next;
+  }
+  CHECK(check(compile(chain)).looked_for_redundancy);
 }
 
 TEST_CASE("Unbounded and empty parts are told") {
@@ -150,7 +285,7 @@ TEST_CASE("The empty scene is fine, and says that it is empty") {
   const CheckReport report = check(compile(Solid()));
   CHECK(report.is_empty);
   CHECK(report.overlaps.empty());
-  CHECK(report.without_effect.empty());
+  CHECK(report.redundant.empty());
 }
 
 TEST_CASE("A line in the surfaces of both parts proves no overlap") {

@@ -156,7 +156,7 @@ def test_checks():
     assert [(a, b) for a, b, *_ in report.overlaps] == [("a", "b")]
     _, _, volume, error, place = report.overlaps[0]
     assert abs(volume - 0.5) <= error + 1e-15 and 0.5 <= place[0] <= 1
-    assert report.leaves_without_effect == [3] and not report.is_unbounded
+    assert report.without_effect == [("sphere", range(3, 4))] and not report.is_unbounded
     assert csgcast.empty().compile().check().is_empty
 
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "measure/check.h"
+#include "raycast/pieces.h"
+
+namespace csgcast::detail {
+
+/// The outermost statements that a solid would be the same without, proved one by one, in file order. `whole`: the
+/// space of the scene's root. `is_empty(node)`: whether a node is known to hold nothing. `goes_on(share done)`: false
+/// ends the search.
+std::vector<Redundancy> redundancies(const Space& whole, const std::function<bool(NodeId)>& is_empty,
+                                     const std::function<bool(double)>& goes_on);
+
+}  // namespace csgcast::detail
