@@ -36,8 +36,32 @@ const char* csgcast_version(void);
  * is NULL on failure. */
 csgcast_status csgcast_load(const char* path, csgcast_model** model);
 csgcast_status csgcast_read(const char* text, size_t length, const char* name, csgcast_model** model);
+
+/* Which curved solids become polyhedra with OpenSCAD's vertices. */
+typedef enum csgcast_facets {
+  CSGCAST_FACETS_AUTO = 0, /* those with an explicit 0 < $fn <= 16 */
+  CSGCAST_FACETS_ALWAYS = 1,
+  CSGCAST_FACETS_NEVER = 2
+} csgcast_facets;
+
+/* What the functions above take as {CSGCAST_FACETS_AUTO, -1, NULL, 0}. */
+typedef struct csgcast_options {
+  csgcast_facets facets;
+  double weld;              /* faces at most this share of the scene's size apart become one, at most 1/128; 0: none do;
+                               -1: those that only the rounding of their own numbers keeps apart */
+  const char* const* parts; /* the names of those that are all there is; NULL: the whole scene */
+  size_t part_count;
+} csgcast_options;
+csgcast_status csgcast_load_with(const char* path, const csgcast_options* options, csgcast_model** model);
+csgcast_status csgcast_read_with(const char* text, size_t length, const char* name, const csgcast_options* options,
+                                 csgcast_model** model);
 /* NULL is nothing to free. */
 void csgcast_free(csgcast_model* model);
+
+/* The named parts, in file order. A name is valid as long as the model; NULL, and density NaN, beyond the last. */
+size_t csgcast_part_count(const csgcast_model* model);
+const char* csgcast_part_name(const csgcast_model* model, size_t part);
+double csgcast_part_density(const csgcast_model* model, size_t part);
 
 /* The intervals of many rays: those of ray i are [offsets[i], offsets[i + 1]). Ends come in pairs, entry and exit: of
  * interval k ends 2 k and 2 k + 1. t is the double nearest to the exact one; infinite, or where the span cut the ray
@@ -59,6 +83,15 @@ csgcast_status csgcast_cast(const csgcast_model* model, size_t rays, const doubl
                             double t_min, double t_max, csgcast_intervals* result);
 void csgcast_free_intervals(csgcast_intervals* result);
 
+/* Where rays first cross the boundary in [t_min, t_max], entering or leaving: `rays` numbers each; INFINITY,
+ * CSGCAST_NONE and 0 without a hit. surfaces and is_entry may be NULL. */
+csgcast_status csgcast_first_hits(const csgcast_model* model, size_t rays, const double* origins,
+                                  const double* directions, double t_min, double t_max, double* t, uint32_t* surfaces,
+                                  uint8_t* is_entry);
+/* 1 where a ray meets the inside of the solid between t_min and t_max, else 0. */
+csgcast_status csgcast_any_hits(const csgcast_model* model, size_t rays, const double* origins,
+                                const double* directions, double t_min, double t_max, uint8_t* result);
+
 /* 1 inside, 0 on the boundary, -1 outside: never falsely inside or outside. */
 csgcast_status csgcast_locate(const csgcast_model* model, size_t points, const double* coordinates, int8_t* result);
 
@@ -77,6 +110,9 @@ typedef struct csgcast_measures {
 /* Of the whole solid; relative errors of volume and area, such as 1e-6 and 1e-3. */
 csgcast_status csgcast_measure(const csgcast_model* model, double relative_error, double area_error,
                                csgcast_measures* result);
+/* The same of the whole solid and of each part: result has room for 1 + csgcast_part_count(model). */
+csgcast_status csgcast_measure_parts(const csgcast_model* model, double relative_error, double area_error,
+                                     csgcast_measures* result);
 
 #ifdef __cplusplus
 }

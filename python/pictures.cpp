@@ -108,6 +108,11 @@ void bind_pictures(py::module_& m) {
   py::class_<SceneDescription>(m, "_Description")
       .def(py::init<>())
       .def_readonly("solid", &SceneDescription::solid)
+      .def("with_solid",
+           [](SceneDescription description, const Solid& solid) {
+             description.solid = solid;
+             return description;
+           })
       .def_property_readonly("warnings", warnings_of);
   m.def("_load", load, "path"_a, "facets"_a);
   m.def("_read", read_text, "text"_a, "facets"_a);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "csg/parts.h"
 #include "csg/primitives.h"
+#include "csg/text/color.h"
 #include "csg/transform.h"
 #include "python/bind.h"
 
@@ -118,8 +121,15 @@ Solid rotated(const Solid& solid, const py::object& a, const py::object& v) {
   return moved(solid, rotation(vector_from(a, "a")));
 }
 
-/// sRGB in [0, 1], as colours are written; alpha may be left out.
-Solid colored(const Solid& solid, const std::vector<double>& rgba) {
+/// A name, #rrggbb, or sRGB in [0, 1], as colours are written; alpha may be left out.
+Solid colored(const Solid& solid, const py::object& color_of) {
+  if (py::isinstance<py::str>(color_of)) {
+    const auto name = color_of.cast<std::string>();
+    const std::optional<Paint> paint = text::paint_from(name);
+    if (!paint) throw py::value_error("there is no color '" + name + "': give a CSS name, '#rrggbb' or numbers");
+    return with_look(solid, {{}, paint});
+  }
+  const auto rgba = color_of.cast<std::vector<double>>();
   if (rgba.size() != 3 && rgba.size() != 4) throw py::value_error("a color has three or four numbers");
   for (const double channel : rgba) {
     if (!(channel >= 0 && channel <= 1)) throw py::value_error("a color's numbers are between 0 and 1");
@@ -134,34 +144,104 @@ Solid as_part(const Solid& solid, const std::string& name, double density) {
   return named(solid, {name, density});
 }
 
+Solid only(const Solid& solid, const py::object& name) {
+  const auto names = py::isinstance<py::str>(name) ? std::vector<std::string>{name.cast<std::string>()}
+                                                   : name.cast<std::vector<std::string>>();
+  const std::vector<std::string> known = part_names(solid);
+  for (const std::string& wanted : names) {
+    if (std::find(known.begin(), known.end(), wanted) == known.end())
+      throw py::value_error("no part is named '" + wanted + "'");
+  }
+  return only_parts(solid, names);
+}
+
+py::array bounds_of(const Solid& solid) {
+  const auto [lower, upper] = bounds(solid);
+  return array_of<double>(std::vector<double>{lower.x, lower.y, lower.z, upper.x, upper.y, upper.z}, {2, 3});
+}
+
+/// `<csgcast.Solid: difference, parts 'a', 'b'>`.
+std::string description_of(const Solid& solid) {
+  const auto kind = [&]() -> std::string {
+    switch (solid.kind()) {
+      case Solid::Kind::empty:
+        return "empty";
+      case Solid::Kind::everything:
+        return "everything";
+      case Solid::Kind::leaf:
+        return word(solid.shape().kind);
+      case Solid::Kind::unite:
+        return "union";
+      case Solid::Kind::intersect:
+        return "intersection";
+      case Solid::Kind::subtract:
+        return "difference";
+      case Solid::Kind::complement:
+        return "complement";
+      case Solid::Kind::transform:
+        return "moved";
+      case Solid::Kind::part:
+        return "part";
+      default:
+        return "with a look";
+    }
+  };
+  constexpr std::size_t most_named = 4;
+  const std::vector<std::string> names = part_names(solid);
+  std::string text = "<csgcast.Solid: " + kind();
+  for (std::size_t i = 0; i < std::min(names.size(), most_named); ++i)
+    text += (i == 0 ? ", parts " : ", ") + py::repr(py::str(names[i])).cast<std::string>();
+  return text + (names.size() > most_named ? ", ..>" : ">");
+}
+
 void bind_primitives(py::module_& m) {
   m.def(
       "box", [](const py::object& size, bool center) { return box(sizes_from(size, "size"), centering(center)); },
-      "size"_a = 1.0, "center"_a = false);
-  m.def("sphere", make_sphere, "r"_a = py::none(), py::kw_only(), "d"_a = py::none());
+      "size"_a = 1.0, "center"_a = false, "A box of one size, or of three, from the origin on or about it.");
+  m.def("sphere", make_sphere, "r"_a = py::none(), py::kw_only(), "d"_a = py::none(),
+        "A ball about the origin, by radius (1) or diameter.");
   m.def("cylinder", make_cylinder, "h"_a = 1.0, "r"_a = py::none(), "r1"_a = py::none(), "r2"_a = py::none(),
-        "center"_a = false, py::kw_only(), "d"_a = py::none(), "d1"_a = py::none(), "d2"_a = py::none());
+        "center"_a = false, py::kw_only(), "d"_a = py::none(), "d1"_a = py::none(), "d2"_a = py::none(),
+        "A cylinder or cone along z, from z = 0 on or about it: one radius, or r1 at the bottom and r2 at the top.");
   m.def(
-      "ellipsoid", [](const py::object& r) { return ellipsoid(vector_from(r, "r")); }, "r"_a);
-  m.def("paraboloid", paraboloid, "h"_a, "r"_a);
-  m.def("hyperboloid", hyperboloid, "h"_a, "r"_a, "waist"_a);
-  m.def("quadric", make_quadric, "A"_a, "b"_a, "c"_a);
+      "ellipsoid", [](const py::object& r) { return ellipsoid(vector_from(r, "r")); }, "r"_a,
+      "An ellipsoid about the origin with three semi-axes.");
+  m.def("paraboloid", paraboloid, "h"_a, "r"_a,
+        "A paraboloid with its apex at the origin, open upwards, of radius r at z = h, where it ends.");
+  m.def("hyperboloid", hyperboloid, "h"_a, "r"_a, "waist"_a,
+        "A hyperboloid about the z axis, of radius waist at z = 0 and r at z = -h/2 and h/2, where it ends; waist 0 is "
+        "a double cone, waist > r a barrel.");
+  m.def("quadric", make_quadric, "A"_a, "b"_a, "c"_a, "Where p' A p + b . p + c <= 0; A symmetric, 3 x 3.");
   m.def(
-      "halfspace", [](const py::object& n, double d) { return halfspace(vector_from(n, "n"), d); }, "n"_a, "d"_a);
-  m.def("convex", make_convex, "points"_a = py::none(), "planes"_a = py::none());
-  m.def("empty", [] { return Solid(); });
-  m.def("everything", [] { return Solid::everything(); });
-  m.def("union", [](const py::args& solids) { return unite(solids_from(solids)); });
-  m.def("intersection", [](const py::args& solids) { return intersect(solids_from(solids)); });
-  m.def("difference", [](const py::args& solids) { return subtract(solids_from(solids)); });
+      "halfspace", [](const py::object& n, double d) { return halfspace(vector_from(n, "n"), d); }, "n"_a, "d"_a,
+      "Where n . p <= d.");
+  m.def("convex", make_convex, "points"_a = py::none(), "planes"_a = py::none(),
+        "The convex hull of points (count, 3), or where n . p <= d for all planes, rows n, d of (count, 4).");
   m.def(
-      "complement", [](const Solid& solid) { return complement(solid); }, "solid"_a);
+      "empty", [] { return Solid(); }, "No point.");
+  m.def(
+      "everything", [] { return Solid::everything(); }, "All of space.");
+  m.def(
+      "union", [](const py::args& solids) { return unite(solids_from(solids)); },
+      "All points of any of the solids, or of a list of them; of none: empty.");
+  m.def(
+      "intersection", [](const py::args& solids) { return intersect(solids_from(solids)); },
+      "All points that every one of the solids, or of a list of them, has; of none: empty.");
+  m.def(
+      "difference", [](const py::args& solids) { return subtract(solids_from(solids)); },
+      "The first of the solids, or of a list of them, less all others; of none: empty.");
+  m.def(
+      "complement", [](const Solid& solid) { return complement(solid); }, "solid"_a, "All of space but the solid.");
 }
 
 }  // namespace
 
 void bind_solids(py::module_& m) {
-  py::class_<Solid>(m, "Solid")
+  py::class_<Solid>(
+      m, "Solid",
+      "A solid: an immutable value. a + b (or a | b), a - b, a & b and ~a put solids together, methods "
+      "move them; nothing is computed until compile(). Regular closed sets: faces belong to it, nothing is "
+      "thinner than a point's neighbourhood.")
       .def(
           "__add__", [](const Solid& a, const Solid& b) { return a + b; }, py::is_operator())
       .def("__radd__",
@@ -178,15 +258,32 @@ void bind_solids(py::module_& m) {
       .def("__invert__", [](const Solid& a) { return complement(a); })
       .def(
           "translate", [](const Solid& s, const py::object& v) { return moved(s, translation(vector_from(v, "v"))); },
-          "v"_a)
-      .def("rotate", rotated, "a"_a, "v"_a = py::none())
+          "v"_a, "Moved by a vector.")
+      .def("rotate", rotated, "a"_a, "v"_a = py::none(),
+           "Turned by a degrees about the axis v (z), or by three angles about x, then y, then z. Multiples of 90 "
+           "degrees "
+           "are exact.")
       .def(
-          "scale", [](const Solid& s, const py::object& v) { return moved(s, scaling(sizes_from(v, "v"))); }, "v"_a)
+          "scale", [](const Solid& s, const py::object& v) { return moved(s, scaling(sizes_from(v, "v"))); }, "v"_a,
+          "Scaled by a number, or by one along each axis.")
       .def(
-          "mirror", [](const Solid& s, const py::object& v) { return moved(s, mirroring(vector_from(v, "v"))); }, "v"_a)
-      .def("transform", moved_by_matrix, "matrix"_a)
-      .def("part", as_part, "name"_a, "density"_a = 1.0)
-      .def("color", colored, "rgba"_a);
+          "mirror", [](const Solid& s, const py::object& v) { return moved(s, mirroring(vector_from(v, "v"))); }, "v"_a,
+          "Mirrored at the plane through the origin that is square to v.")
+      .def("transform", moved_by_matrix, "matrix"_a,
+           "Moved by an affine matrix, (3, 4) or (4, 4). A singular one leaves nothing.")
+      .def(
+          "part", as_part, "name"_a, "density"_a = 1.0,
+          "The same solid as a part, for measures and checks by part. Parts stand below unions, moves and colors only, "
+          "not within parts.")
+      .def("color", colored, "rgba"_a,
+           "With a color: a CSS name, '#rrggbb', or three or four sRGB numbers in [0, 1]. The outermost color counts.")
+      .def_property_readonly("parts", &part_names, "The names of its parts, in order, each once.")
+      .def("only", only, "name"_a, "The parts of this name, or of these names, as if nothing else were there.")
+      .def_property_readonly(
+          "bounds", bounds_of,
+          "Lower and upper corner, (2, 3), of a box that holds it, rounded outward: not the least one. "
+          "inf, -inf if it is empty.")
+      .def("__repr__", description_of);
   bind_primitives(m);
 }
 

@@ -24,6 +24,9 @@ __all__ = ["Cancelled", "Check", "Error", "Hits", "Intervals", "Measures", "Mode
 
 _inf = float("inf")
 
+Error.__doc__ = """What was given makes no sense: 'file:line:column: error: what (why); what to do'. A ValueError."""
+Cancelled.__doc__ = """A query was ended by its callback."""
+
 
 @_dataclass(frozen=True, eq=False)
 class Intervals:
@@ -221,7 +224,17 @@ class Scene:
 
     @property
     def solid(self):
+        """All that is solid in it, as one Solid."""
         return self._description.solid
+
+    @property
+    def parts(self):
+        """The names of its parts, in file order."""
+        return self.solid.parts
+
+    def only(self, name):
+        """The parts of this name, or of these names, under the same camera and lights."""
+        return Scene(self._description.with_solid(self.solid.only(name)))
 
     @property
     def warnings(self):
@@ -229,6 +242,7 @@ class Scene:
         return self._description.warnings
 
     def compile(self, weld=None):
+        """A Model of the solid that renders under the text's camera and lights; see Model for weld."""
         return Model(self._description.solid, weld, self._description)
 
 

@@ -57,6 +57,76 @@ TEST_CASE("C: intervals, points and measures of a text") {
   CHECK(measures.lower[1] == Approx(-1).margin(1e-8));
 }
 
+TEST_CASE("C: first hits, any hits, parts, and measures of parts") {
+  const ModelOwner owner(
+      "part(\"left\", density = 2) { cube(1); }\npart(\"right\") { translate([2, 0, 0]) { cube([1, 1, 2]); } }");
+  REQUIRE(csgcast_part_count(owner.model) == 2);
+  CHECK(csgcast_part_count(nullptr) == 0);
+  CHECK(std::string(csgcast_part_name(owner.model, 1)) == "right");
+  CHECK(csgcast_part_density(owner.model, 0) == 2);
+  CHECK(csgcast_part_name(owner.model, 2) == nullptr);
+  CHECK(std::isnan(csgcast_part_density(owner.model, 2)));
+
+  const std::vector<double> origins{-5, 0.5, 0.5, 0.5, 0.5, 0.5, 0, 0, 9};
+  const std::vector<double> directions{1, 0, 0, 2, 0, 0, 0, 1, 0};
+  double t[3];
+  uint32_t surfaces[3];
+  uint8_t is_entry[3];
+  REQUIRE(csgcast_first_hits(owner.model, 3, origins.data(), directions.data(), 0, HUGE_VAL, t, surfaces, is_entry) ==
+          CSGCAST_OK);
+  CHECK(t[0] == 5);
+  CHECK(t[1] == 0.25);
+  CHECK(std::isinf(t[2]));
+  CHECK(surfaces[0] != CSGCAST_NONE);
+  CHECK(surfaces[2] == CSGCAST_NONE);
+  CHECK(is_entry[0] == 1);
+  CHECK(is_entry[1] == 0);
+  REQUIRE(csgcast_first_hits(owner.model, 3, origins.data(), directions.data(), 5.5, HUGE_VAL, t, nullptr, nullptr) ==
+          CSGCAST_OK);
+  CHECK(t[0] == 6);
+  uint8_t is_hit[3];
+  REQUIRE(csgcast_any_hits(owner.model, 3, origins.data(), directions.data(), 0, 5, is_hit) == CSGCAST_OK);
+  CHECK(is_hit[0] == 0);
+  CHECK(is_hit[1] == 1);
+  CHECK(is_hit[2] == 0);
+  CHECK(csgcast_any_hits(owner.model, 1, origins.data(), directions.data(), 0, 5, nullptr) == CSGCAST_BAD_INPUT);
+  CHECK(csgcast_first_hits(owner.model, 1, nullptr, nullptr, 0, 5, t, nullptr, nullptr) == CSGCAST_BAD_INPUT);
+
+  csgcast_measures measures[3];
+  REQUIRE(csgcast_measure_parts(owner.model, 1e-6, 1e-3, measures) == CSGCAST_OK);
+  CHECK(std::fabs(measures[0].mass - 4) <= measures[0].mass_error);
+  CHECK(std::fabs(measures[1].mass - 2) <= measures[1].mass_error);
+  CHECK(std::fabs(measures[2].volume - 2) <= measures[2].volume_error);
+}
+
+TEST_CASE("C: facets, welding and parts are chosen on loading") {
+  const std::string text = "part(\"a\") { sphere(1, $fn = 100); }\npart(\"b\") { cube(1); }\nhalfspace([0, 0, 1], -5);";
+  const char* const names[] = {"a"};
+  const auto volume_with = [&](const csgcast_options& options) {
+    csgcast_model* model = nullptr;
+    REQUIRE(csgcast_read_with(text.data(), text.size(), "text", &options, &model) == CSGCAST_OK);
+    csgcast_measures measures;
+    CHECK(csgcast_part_count(model) == 1);
+    REQUIRE(csgcast_measure(model, 1e-6, 1e-2, &measures) == CSGCAST_OK);
+    csgcast_free(model);
+    return measures.volume;
+  };
+  const double round = volume_with({CSGCAST_FACETS_AUTO, -1, names, 1});
+  CHECK(round == Approx(4.0 / 3 * M_PI).epsilon(1e-5));
+  CHECK(volume_with({CSGCAST_FACETS_NEVER, 0, names, 1}) == Approx(round).epsilon(1e-5));
+  CHECK(volume_with({CSGCAST_FACETS_ALWAYS, 1e-9, names, 1}) < 0.9999 * round);
+
+  csgcast_model* model = nullptr;
+  const char* const nobody[] = {"nobody"};
+  const csgcast_options wrong_part{CSGCAST_FACETS_AUTO, -1, nobody, 1}, wrong_weld{CSGCAST_FACETS_AUTO, 3, nullptr, 0};
+  CHECK(csgcast_read_with(text.data(), text.size(), "text", &wrong_part, &model) == CSGCAST_BAD_INPUT);
+  CHECK(last_error_has("no part is named 'nobody'"));
+  CHECK(csgcast_read_with(text.data(), text.size(), "text", &wrong_weld, &model) == CSGCAST_BAD_INPUT);
+  CHECK(csgcast_read_with(text.data(), text.size(), "text", nullptr, &model) == CSGCAST_BAD_INPUT);
+  CHECK(csgcast_load_with("/nowhere", &wrong_weld, &model) == CSGCAST_BAD_INPUT);
+  CHECK(model == nullptr);
+}
+
 TEST_CASE("C: what is wrong is said, and nothing else happens") {
   csgcast_model* model = reinterpret_cast<csgcast_model*>(1);
   CHECK(csgcast_load("/nowhere/at/all.csg", &model) == CSGCAST_BAD_INPUT);

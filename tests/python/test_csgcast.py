@@ -271,6 +271,43 @@ def test_operators_and_transforms():
     assert volume(csgcast.ellipsoid([1, 2, 3])) == pytest.approx(8 * math.pi)
 
 
+def test_parts_alone(tmp_path):
+    text = 'light(position = [9, 9, 9]); part("a") { cube(1); } part("b", density = 2) { translate([5, 0, 0]) { cube(2); } } sphere(9);'
+    scene = csgcast.read(text)
+    assert scene.parts == ["a", "b"] == scene.solid.parts
+    alone = scene.only("b")
+    assert alone.parts == ["b"]
+    m = alone.compile().measure()
+    assert abs(m.mass - 16) <= m.mass_error and abs(m.volume - 8) <= m.volume_error
+    assert scene.solid.only(["a", "b"]).compile().measure().parts[0].name == "a"
+    assert alone.compile().render(8, 6).shape == (6, 8, 3)
+    with pytest.raises(ValueError, match="no part is named 'c'"):
+        scene.only("c")
+
+
+def test_bounds_colors_and_names():
+    moved = csgcast.box([1, 2, 3]).translate([1, 1, 1])
+    assert np.allclose(moved.bounds, [[1, 1, 1], [2, 3, 4]], atol=1e-12)
+    assert np.isinf(csgcast.halfspace([0, 0, 1], 0).bounds).any() and csgcast.empty().bounds[0, 0] > csgcast.empty().bounds[1, 0]
+    picture = [csgcast.box(2, center=True).color(c).compile().render(9, 9) for c in ("red", "#f00", [1, 0, 0], "blue")]
+    assert (picture[0] == picture[1]).all() and (picture[0] == picture[2]).all() and not (picture[0] == picture[3]).all()
+    with pytest.raises(ValueError, match="there is no color 'rad'"):
+        moved.color("rad")
+    assert repr(moved) == "<csgcast.Solid: moved>"
+    assert repr(moved.part("a") + moved.part("b'c")) == "<csgcast.Solid: union, parts 'a', \"b'c\">"
+
+
+def test_everything_public_says_what_it_is():
+    for name in csgcast.__all__:
+        thing = getattr(csgcast, name)
+        members = vars(thing).items() if isinstance(thing, type) else ()
+        said = {name: thing} | {f"{name}.{m}": v for m, v in members if not m.startswith("_") and (callable(v) or isinstance(v, property))}
+        for what, of in said.items():
+            if what != "__version__":
+                last_line = (of.__doc__ or "").strip().split("\n")[-1]  # the first of a function in C++ is its signature
+                assert len(last_line) > 8 and "->" not in last_line, what
+
+
 def test_stubs_name_what_there_is():
     stubs = ast.parse(Path(csgcast.__file__).with_suffix(".pyi").read_text())
     named = {n.name: n for n in stubs.body if isinstance(n, (ast.FunctionDef, ast.ClassDef))} | {"__version__": None}
