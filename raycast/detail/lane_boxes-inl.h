@@ -77,6 +77,14 @@ struct Met {
   std::size_t conjunction_count;
 };
 
+/// Puts the chosen lanes behind what is there, where there is room for all. In two steps: what is compressed straight
+/// into memory cannot be read back before it has got there.
+template <class D>
+HWY_INLINE void put(D d, hh::Vec<D> values, hh::Mask<D> chosen, std::uint32_t* list, std::size_t& count) {
+  hh::StoreU(hh::Compress(values, chosen), d, list + count);
+  count += hh::CountTrue(d, chosen);
+}
+
 /// Adds those of a node's boxes that some line of the beam may meet. What rounding moves by less than `widening`
 /// (box_tree.cpp), in space, does not matter: 2^-21 for a place and as much for its product, as nothing is farther than
 /// 8 from another.
@@ -108,9 +116,8 @@ HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met) {
     const auto child = hh::Load(ids, node.child + first);
     const auto is_met = hh::RebindMask(ids, hh::Le(enters, leaves));
     const auto is_node = hh::Lt(child, hh::Set(ids, BoxNode::conjunction));
-    met.node_count += hh::CompressStore(child, hh::And(is_met, is_node), ids, met.nodes + met.node_count);
-    met.conjunction_count +=
-        hh::CompressStore(child, hh::AndNot(is_node, is_met), ids, met.conjunctions + met.conjunction_count);
+    put(ids, child, hh::And(is_met, is_node), met.nodes, met.node_count);
+    put(ids, child, hh::AndNot(is_node, is_met), met.conjunctions, met.conjunction_count);
   }
 }
 
