@@ -33,8 +33,10 @@ struct Events {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
 
-  V first[Cell::most_slots];
-  V second[Cell::most_slots];
+  static constexpr std::size_t more = hn::is_single<D> ? 8 : 0;  // registers reach beyond
+
+  V first[Cell::most_slots + more];
+  V second[Cell::most_slots + more];
   hn::Vec<BitsOf<D>> before;  ///< the state before all of them
   V slack;                    ///< four times what any of them is off
   M flagged;                  ///< lanes that know too little

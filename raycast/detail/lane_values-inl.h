@@ -49,9 +49,47 @@ HWY_INLINE hn::Mask<D> value_by_table(D d, const Cell& cell, hn::Vec<BitsOf<D>> 
   return hn::RebindMask(d, hn::Ne(hn::And(word, hn::Set(bits, 1)), hn::Zero(bits)));
 }
 
-/// Which surfaces are positive after the events up to a place.
-template <class D>
+/// For single rays: surfaces in the lanes, not rays.
+using SlotLanes = hn::hh::CappedTag<double, 8>;
+
+/// With so many it pays to put them there.
+constexpr std::size_t fewest_in_lanes = 9;
+
+/// A bit for each of the events [from, count) that is at most `at`.
+HWY_NOINLINE std::uint64_t passed_events(const double* events, std::size_t from, std::size_t count, double at) {
+  const SlotLanes d;
+  const auto place = hn::hh::Set(d, at);
+  std::uint64_t passed = 0;
+  for (std::size_t i = 0; i < count; i += hn::hh::Lanes(d)) {
+    std::uint8_t bits[8];
+    hn::hh::StoreMaskBits(d, hn::hh::Le(hn::hh::LoadU(d, events + i), place), bits);
+    passed |= std::uint64_t{bits[0]} << i;
+  }
+  return passed & ((std::uint64_t{1} << count) - (std::uint64_t{1} << from));
+}
+
+/// The first of the events [from, count) after a place; infinity if there is none.
+HWY_NOINLINE double first_event_after(const double* events, std::size_t from, std::size_t count, double at) {
+  const SlotLanes d;
+  const auto place = hn::hh::Set(d, at);
+  const auto never = hn::hh::Inf(d);
+  auto next = never;
+  for (std::size_t i = from; i < count; i += hn::hh::Lanes(d)) {
+    const auto event = hn::hh::LoadU(d, events + i);
+    const auto is_later = hn::hh::And(hn::hh::FirstN(d, count - i), hn::hh::Gt(event, place));
+    next = hn::hh::Min(next, hn::hh::IfThenElse(is_later, event, never));
+  }
+  return hn::hh::GetLane(hn::hh::MinOfLanes(d, next));
+}
+
+/// Which surfaces are positive after the events up to a place. `may_be_many`: of the cell's surfaces.
+template <bool may_be_many, class D>
 HWY_INLINE hn::Vec<BitsOf<D>> event_state(D, const Events<D>& events, const Cell& cell, hn::Vec<D> at) {
+  if constexpr (may_be_many && hn::is_single<D>) {
+    if (cell.slot_count >= fewest_in_lanes)
+      return events.before ^ passed_events(events.first, 0, cell.slot_count, at) ^
+             passed_events(events.second, cell.plane_count, cell.slot_count, at);
+  }
   const BitsOf<D> bits;
   auto state = events.before;
   auto bit = hn::Set(bits, 1);
@@ -68,8 +106,13 @@ HWY_INLINE hn::Vec<BitsOf<D>> event_state(D, const Events<D>& events, const Cell
 }
 
 /// The first event after a place; infinity if there is none.
-template <class D>
+template <bool may_be_many, class D>
 HWY_INLINE hn::Vec<D> next_event(D d, const Events<D>& events, const Cell& cell, hn::Vec<D> at) {
+  if constexpr (may_be_many && hn::is_single<D>) {
+    if (cell.slot_count >= fewest_in_lanes)
+      return std::min(first_event_after(events.first, 0, cell.slot_count, at),
+                      first_event_after(events.second, cell.plane_count, cell.slot_count, at));
+  }
   using V = hn::Vec<D>;
   const V never = hn::Inf(d);
   V next = never;

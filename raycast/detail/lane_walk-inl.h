@@ -115,7 +115,7 @@ class Walk {
     return is_gathered(cell) ? gathered_.slots[i] : cell.first_slot + static_cast<std::uint32_t>(i);
   }
 
-  HWY_INLINE U state_at(const Cell& cell, V at) const { return event_state(D(), events_, cell, at); }
+  HWY_INLINE U state_at(const Cell& cell, V at) const { return event_state<uses_boxes>(D(), events_, cell, at); }
   HWY_INLINE M value_of(const Cell& cell, U state) const {
     return cell.step_count == 0 ? value_by_table(D(), cell, state) : value_of_large(cell, state);
   }
@@ -252,7 +252,7 @@ class Walk {
     V at = hn::IfThenElse(covered_lanes_, covered_, hn::Add(from, slack));
     covered_ = hn::IfThenElse(active, hn::Max(limit, at), covered_);
     covered_lanes_ = hn::Or(covered_lanes_, active);
-    V next = next_event(d, events_, cell, at);
+    V next = next_event<uses_boxes>(d, events_, cell, at);
     // The lanes with an event to look at. Close to the end of what is asked nothing is certain.
     const auto due = [&](M lanes) {
       const M todo = hn::And(lanes, hn::Le(next, limit));
@@ -284,7 +284,7 @@ class Walk {
       state = after;
       now_inside_ = hn::Or(hn::AndNot(changes, now_inside_), hn::And(changes, value));
       at = hn::Add(next, slack);
-      next = next_event(d, events_, cell, at);
+      next = next_event<uses_boxes>(d, events_, cell, at);
       todo = due(hn::And(todo, live_));
     }
   }
