@@ -37,7 +37,7 @@ std::vector<Solid> crumbs(RandomSolids& random, std::size_t count, double size) 
 
 Solid die(Solid holes) { return box({2, 2, 2}, Centering::centered) - std::move(holes); }
 
-// Whatever is asked of it, in packets and ray by ray.
+// Whatever is asked of it, in packets and ray by ray, by each instruction set.
 void check_all(const Scene& scene, std::uint64_t seed) {
   RandomSolids random(seed);
   const Cells cells(scene);
@@ -47,8 +47,7 @@ void check_all(const Scene& scene, std::uint64_t seed) {
   REQUIRE(departing.rays.size() > 20);
   std::vector<double> ends;
   for (std::size_t i = 0; i < rays.size(); ++i) ends.push_back(random.number(0, 3));
-  for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
-    PacketCaster caster(cells, width);
+  const auto check_caster = [&](PacketCaster caster) {
     RayArrays asked = rays.arrays();
     check_lists(cells, caster, asked, rays);
     CHECK(caster.left_to_caster().size() < rays.size() / 10);
@@ -59,6 +58,12 @@ void check_all(const Scene& scene, std::uint64_t seed) {
     asked.whole_line = false;
     check_lists(cells, caster, asked, rays);
     check_lists(cells, caster, departing.arrays(), departing.rays);
+  };
+  for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
+    for (const std::string_view set : PacketCaster::instruction_sets()) {
+      CAPTURE(set);
+      check_caster(PacketCaster(cells, width, set));
+    }
   }
 }
 
