@@ -81,8 +81,19 @@ struct Met {
 /// into memory cannot be read back before it has got there.
 template <class D>
 HWY_INLINE void put(D d, hh::Vec<D> values, hh::Mask<D> chosen, std::uint32_t* list, std::size_t& count) {
+#if HWY_TARGET <= HWY_AVX3
   hh::StoreU(hh::Compress(values, chosen), d, list + count);
   count += hh::CountTrue(d, chosen);
+#else
+  // Highway's own has its table made anew each time, by hundreds of instructions.
+  std::uint8_t bits[8];
+  hh::StoreMaskBits(d, chosen, bits);
+  const unsigned lanes = bits[0];
+  const hh::Rebind<std::uint8_t, D> bytes;
+  const auto order = hh::PromoteTo(d, hh::LoadU(bytes, compress_table[lanes].data()));
+  hh::StoreU(hh::TableLookupLanes(values, hh::IndicesFromVec(d, order)), d, list + count);
+  count += static_cast<std::size_t>(std::popcount(lanes));
+#endif
 }
 
 /// Adds those of a node's boxes that some line of the beam may meet. What rounding moves by less than `widening`

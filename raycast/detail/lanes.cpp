@@ -3,11 +3,14 @@
 #include "raycast/detail/lanes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>
 #include <vector>
+
+#include "raycast/detail/compress_table.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raycast/detail/lanes.cpp"
