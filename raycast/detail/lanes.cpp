@@ -10,12 +10,11 @@
 #include <optional>
 #include <vector>
 
+#include "csg/lane_targets.h"
 #include "raycast/detail/compress_table.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raycast/detail/lanes.cpp"
-// What is left out would only repeat its neighbours.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "csg/lane_targets.h"
 #include "shade/phong.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shade/detail/shading_lanes.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
