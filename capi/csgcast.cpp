@@ -62,6 +62,12 @@ text::Facets facets_of(csgcast_facets facets) {
   throw Error(ErrorCode::usage, {}, "facets has none of its values", "", "give one of CSGCAST_FACETS_..");
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 Solid selected(Solid solid, const csgcast_options& options) {
   if (options.parts == nullptr) return solid;
   const std::vector<std::string> known = part_names(solid);
@@ -71,7 +77,7 @@ Solid selected(Solid solid, const csgcast_options& options) {
     names.emplace_back(options.parts[i]);
     if (std::find(known.begin(), known.end(), names.back()) == known.end()) {
       throw Error(ErrorCode::unknown_name, {}, "no part is named '" + names.back() + "'", "",
-                  "csgcast_part_name() tells the names");
+                  known.empty() ? "the scene has no parts" : "the parts are " + joined(known));
     }
   }
   return only_parts(solid, names);

@@ -49,7 +49,7 @@ typedef struct csgcast_options {
   csgcast_facets facets;
   double weld;              /* faces at most this share of the scene's size apart become one, at most 1/128; 0: none do;
                                -1: those that only the rounding of their own numbers keeps apart */
-  const char* const* parts; /* the names of those that are all there is; NULL: the whole scene */
+  const char* const* parts; /* the names of those that are all there is; NULL: the whole scene; none of them: nothing */
   size_t part_count;
 } csgcast_options;
 csgcast_status csgcast_load_with(const char* path, const csgcast_options* options, csgcast_model** model);

@@ -35,17 +35,6 @@ bool is_touch(const Scene& scene, const Contact& contact) {
   return contact.most <= 0x1p-30 * std::fmin(volume(contact.first), volume(contact.second));
 }
 
-const char* reason(Redundancy::Why why) {
-  switch (why) {
-    case Redundancy::Why::is_empty:
-      return "nothing is in it";
-    case Redundancy::Why::holds_all:
-      return "the intersection is the same without it";
-    default:
-      return "without it the solid is the same";
-  }
-}
-
 std::string as_text(const Scene& scene, const CheckReport& report) {
   std::string out;
   for (const Overlap& overlap : report.overlaps) {
@@ -68,6 +57,10 @@ std::string as_text(const Scene& scene, const CheckReport& report) {
     append_row(out, "no effect",
                fmt::format("{} at {}: {}", word(scene, redundancy), place(redundancy.place), reason(redundancy.why)));
   }
+  if (report.not_asked > 0)
+    append_row(
+        out, "no effect",
+        fmt::format("not looked for in {}: each is among hundreds of others", counted(report.not_asked, "statement")));
   if (!report.looked_for_redundancy) append_row(out, "no effect", "not looked for: there are too many leaves");
   append_welding(out, scene.weld_report());
   append_row(out, "found",
@@ -110,7 +103,8 @@ std::string as_json(const Scene& scene, const CheckReport& report) {
     json.begin_object(Json::Layout::compact).member("kind", word(scene, redundancy));
     json.member("place", place(redundancy.place)).member("why", reason(redundancy.why)).end_object();
   }
-  json.end_array().member("looked_for_redundancy", report.looked_for_redundancy);
+  json.end_array().member("not_asked", std::uint64_t(report.not_asked));
+  json.member("looked_for_redundancy", report.looked_for_redundancy);
   json_welding(json, scene.weld_report());
   json.end_object();
   return out + '\n';

@@ -32,7 +32,7 @@ Welding parse_welding(const std::string& text) {
 }
 
 /// The parts asked for alone. Throws Error naming the parts that there are if one is not among them.
-Solid selected(Solid solid, const SceneOptions& options) {
+Solid selected(Solid solid, const SceneOptions& options, const FileName& file) {
   if (options.parts.empty()) return solid;
   const std::vector<std::string> known = part_names(solid);
   for (const std::string& name : options.parts) {
@@ -43,7 +43,7 @@ Solid selected(Solid solid, const SceneOptions& options) {
       list += (i > 0 ? ", " : "") + printable(known[i]);
     }
     if (known.size() > most_listed) list += fmt::format(" and {} more", known.size() - most_listed);
-    throw Error(ErrorCode::usage, {options.path, 0, 0}, fmt::format("no part is named '{}'", printable(name)),
+    throw Error(ErrorCode::usage, {file, 0, 0}, fmt::format("no part is named '{}'", printable(name)),
                 "--part takes the name of a part(\"name\") statement",
                 known.empty() ? "name one, or leave --part out" : "the parts are " + list);
   }
@@ -91,7 +91,7 @@ SceneInput compile_document(DocumentInput input, const SceneOptions& options) {
   SceneInput result;
   const FileName file = input.document.file;
   result.description = text::build(std::move(input.document), {options.facets});
-  result.description.solid = selected(std::move(result.description.solid), options);
+  result.description.solid = selected(std::move(result.description.solid), options, file);
   result.read_seconds = input.read_seconds + build_watch.seconds();
   if (!options.quiet) {
     for (const Warning& warning : result.description.warnings) fmt::print(stderr, "{}\n", to_string(warning));

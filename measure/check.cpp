@@ -58,9 +58,12 @@ class Checker {
     check_parts();
     check_pairs();
     report_.looked_for_redundancy = scene_.leaves().size() <= options_.most_leaves;
-    if (report_.looked_for_redundancy)
-      report_.redundant = detail::redundancies(
+    if (report_.looked_for_redundancy) {
+      auto [found, not_asked] = detail::redundancies(
           space_, [&](NodeId node) { return is_empty(node); }, [&](double done) { return tell(0.5 + 0.5 * done); });
+      report_.redundant = std::move(found);
+      report_.not_asked = not_asked;
+    }
     return std::move(report_);
   }
 
@@ -72,7 +75,7 @@ class Checker {
     const Space space = space_.common(node, node);
     const detail::SearchResult found =
         detail::find_place(space, [&](Point through, Vector along) { return lines_(node, node, through, along); });
-    return !found.witness && found.is_empty;
+    return !found.witness && (found.is_empty || detail::is_nothing(space));
   }
 
   void check_parts() {
@@ -151,6 +154,17 @@ const char* word(const Scene& scene, const Redundancy& redundancy) {
       return "complement";
     default:
       return "union";
+  }
+}
+
+const char* reason(Redundancy::Why why) {
+  switch (why) {
+    case Redundancy::Why::is_empty:
+      return "nothing is in it";
+    case Redundancy::Why::holds_all:
+      return "the intersection is the same without it";
+    default:
+      return "without it the shape is the same";
   }
 }
 

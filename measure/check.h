@@ -45,6 +45,8 @@ struct Redundancy {
 
 /// The scene text's word for it: `sphere`, `difference`; in code made `a + b` is a union.
 const char* word(const Scene& scene, const Redundancy& redundancy);
+/// `without it the shape is the same`.
+const char* reason(Redundancy::Why why);
 
 /// What may be wrong with a solid.
 struct CheckReport {
@@ -54,6 +56,7 @@ struct CheckReport {
   std::vector<PartId> empty;       ///< without an inside
   /// The solid would be the same without these, one at a time: in file order, none within another.
   std::vector<Redundancy> redundant;
+  std::size_t not_asked = 0;  ///< statements of which that was not asked: among hundreds of others in their place
   bool is_unbounded = false;  ///< the whole solid may be
   bool is_empty = false;
   bool looked_for_redundancy = true;  ///< false: there are too many leaves

@@ -77,7 +77,7 @@ py::dict checked(const Model& model, py::object callback) {
   for (const PartId part : report.empty) empty.append(name(part));
   for (const Redundancy& r : report.redundant) {
     const std::string kind = word(scene, r);
-    redundant.append(py::make_tuple(r.place.line > 0 ? kind + " at " + to_string(r.place) : kind,
+    redundant.append(py::make_tuple(r.place.line > 0 ? kind + " at " + to_string(r.place) : kind, reason(r.why),
                                     py::module_::import("builtins").attr("range")(r.first_leaf, r.leaf_end)));
   }
   d["overlaps"] = overlaps;
@@ -85,6 +85,7 @@ py::dict checked(const Model& model, py::object callback) {
   d["unbounded_parts"] = unbounded;
   d["empty_parts"] = empty;
   d["without_effect"] = redundant;
+  d["not_asked"] = report.not_asked;
   d["is_unbounded"] = report.is_unbounded;
   d["is_empty"] = report.is_empty;
   return d;

@@ -52,6 +52,7 @@ Solid make_cylinder(double h, std::optional<double> r, std::optional<double> r1,
   const auto both = radius_from(r, d, "r and d");
   const auto bottom = radius_from(r1, d1, "r1 and d1");
   const auto top = radius_from(r2, d2, "r2 and d2");
+  if (both && bottom && top) throw py::value_error("give r, or r1 and r2, not all three");
   const double fallback = both ? *both : 1;
   return cylinder(h, bottom ? *bottom : fallback, top ? *top : fallback, centering(center));
 }
@@ -129,7 +130,12 @@ Solid colored(const Solid& solid, const py::object& color_of) {
     if (!paint) throw py::value_error("there is no color '" + name + "': give a CSS name, '#rrggbb' or numbers");
     return with_look(solid, {{}, paint});
   }
-  const auto rgba = color_of.cast<std::vector<double>>();
+  std::vector<double> rgba;
+  try {
+    rgba = color_of.cast<std::vector<double>>();
+  } catch (const py::cast_error&) {
+    throw py::type_error("a color is a name, '#rrggbb', or three or four numbers");
+  }
   if (rgba.size() != 3 && rgba.size() != 4) throw py::value_error("a color has three or four numbers");
   for (const double channel : rgba) {
     if (!(channel >= 0 && channel <= 1)) throw py::value_error("a color's numbers are between 0 and 1");
@@ -145,12 +151,18 @@ Solid as_part(const Solid& solid, const std::string& name, double density) {
 }
 
 Solid only(const Solid& solid, const py::object& name) {
-  const auto names = py::isinstance<py::str>(name) ? std::vector<std::string>{name.cast<std::string>()}
-                                                   : name.cast<std::vector<std::string>>();
+  std::vector<std::string> names;
+  try {
+    names = py::isinstance<py::str>(name) ? std::vector<std::string>{name.cast<std::string>()}
+                                          : name.cast<std::vector<std::string>>();
+  } catch (const py::cast_error&) {
+    throw py::type_error("only() takes the name of a part, or a list of names");
+  }
   const std::vector<std::string> known = part_names(solid);
   for (const std::string& wanted : names) {
     if (std::find(known.begin(), known.end(), wanted) == known.end())
-      throw py::value_error("no part is named '" + wanted + "'");
+      throw py::value_error("no part is named '" + wanted + "'; there are " +
+                            py::repr(py::cast(known)).cast<std::string>());
   }
   return only_parts(solid, names);
 }
@@ -275,14 +287,17 @@ void bind_solids(py::module_& m) {
           "part", as_part, "name"_a, "density"_a = 1.0,
           "The same solid as a part, for measures and checks by part. Parts stand below unions, moves and colors only, "
           "not within parts.")
-      .def("color", colored, "rgba"_a,
+      .def("color", colored, "color"_a,
            "With a color: a CSS name, '#rrggbb', or three or four sRGB numbers in [0, 1]. The outermost color counts.")
       .def_property_readonly("parts", &part_names, "The names of its parts, in order, each once.")
-      .def("only", only, "name"_a, "The parts of this name, or of these names, as if nothing else were there.")
+      .def("only", only, "name"_a,
+           "The parts of this name, or of these names, as if nothing else were there; of none: empty.")
       .def_property_readonly(
           "bounds", bounds_of,
           "Lower and upper corner, (2, 3), of a box that holds it, rounded outward: not the least one. "
           "inf, -inf if it is empty.")
+      .def("__copy__", [](const Solid& s) { return s; })
+      .def("__deepcopy__", [](const Solid& s, const py::dict&) { return s; })  // immutable
       .def("__repr__", description_of);
   bind_primitives(m);
 }

@@ -19,7 +19,7 @@ class RedundancySearch {
                    const std::function<bool(double)>& goes_on)
       : whole_(whole), scene_(whole.scene()), is_empty_(is_empty), goes_on_(goes_on) {}
 
-  std::vector<Redundancy> operator()() {
+  Redundancies operator()() {
     const auto operations = scene_.operations();
     for (std::size_t i = operations.size(); i > 0; --i) {
       const Operation& operation = operations[i - 1];
@@ -36,7 +36,7 @@ class RedundancySearch {
           !goes_on_(static_cast<double>(++leaves_seen_) / static_cast<double>(scene_.leaves().size())))
         break;
     }
-    return outermost();
+    return {outermost(), not_asked_};
   }
 
  private:
@@ -62,6 +62,7 @@ class RedundancySearch {
     const bool as_everything = visit.role == Role::of_intersection;
     const Box reach = as_everything ? visit.reach : intersection(visit.reach, node.box);
     const Space effect = whole_.effect_of(visit.node, as_everything, reach);
+    if (reach.is_finite() && !effect.is_bounded()) ++not_asked_;
     if (!effect.is_bounded() || !is_nothing(effect)) return false;
     const Redundancy::Why why = as_everything ? Redundancy::Why::holds_all : Redundancy::Why::has_no_effect;
     if (operation != operation_of_.end()) {
@@ -81,11 +82,6 @@ class RedundancySearch {
       if (result.empty() || r.first_leaf >= result.back().leaf_end) result.push_back(r);
     }
     return result;
-  }
-
-  static bool is_nothing(const Space& space) {
-    const SearchResult found = find_place(space, [](Point, Vector) { return std::optional<Point>(); });
-    return !found.witness && found.is_empty;
   }
 
   void descend(const Visit& visit) {
@@ -119,13 +115,14 @@ class RedundancySearch {
   std::unordered_map<std::uint32_t, const Operation*> operation_of_;  // by node, the outermost
   std::vector<Visit> open_;
   std::size_t leaves_seen_ = 0;
+  std::size_t not_asked_ = 0;
   std::vector<Redundancy> found_;
 };
 
 }  // namespace
 
-std::vector<Redundancy> redundancies(const Space& whole, const std::function<bool(NodeId)>& is_empty,
-                                     const std::function<bool(double)>& goes_on) {
+Redundancies redundancies(const Space& whole, const std::function<bool(NodeId)>& is_empty,
+                          const std::function<bool(double)>& goes_on) {
   return RedundancySearch(whole, is_empty, goes_on)();
 }
 

@@ -29,7 +29,9 @@ struct Candidate {
 
 class PlaceSearch {
  public:
-  PlaceSearch(const Space& space, const LineTest& test) : space_(space), cutter_(space), test_(test) {}
+  /// `left_aside`: pieces that may hold no more than this share of their box are not cut.
+  PlaceSearch(const Space& space, const LineTest& test, double left_aside)
+      : space_(space), cutter_(space), test_(test), left_aside_(left_aside) {}
 
   SearchResult operator()() {
     add(cutter_.whole(), 0);
@@ -88,8 +90,7 @@ class PlaceSearch {
     Candidate candidate{std::move(piece), {}, depth};
     candidate.estimate = estimate(space_, candidate.piece);
     try_line(candidate);
-    // Faces that all but coincide are told apart by lines, not by pieces.
-    if (likely(candidate) <= next_to_nothing * volume_of(candidate.piece.box)) {
+    if (likely(candidate) <= left_aside_ * volume_of(candidate.piece.box)) {
       left_over_ += likely(candidate);
     } else {
       open_.push_back(std::move(candidate));
@@ -127,6 +128,7 @@ class PlaceSearch {
   const Space& space_;
   PieceCutter cutter_;
   const LineTest& test_;
+  const double left_aside_;
   std::vector<Candidate> open_;  // a heap
   std::optional<Point> witness_;
   std::size_t cuts_ = 0;
@@ -135,7 +137,15 @@ class PlaceSearch {
 
 }  // namespace
 
-SearchResult find_place(const Space& space, const LineTest& test) { return PlaceSearch(space, test)(); }
+SearchResult find_place(const Space& space, const LineTest& test) {
+  return PlaceSearch(space, test, next_to_nothing)();
+}
+
+bool is_nothing(const Space& space) {
+  const LineTest none = [](Point, Vector) { return std::optional<Point>(); };
+  const SearchResult found = PlaceSearch(space, none, 0)();
+  return !found.witness && found.is_empty;
+}
 
 Measured volume_of(const Space& space) {
   MeasureOptions options;

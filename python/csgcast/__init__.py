@@ -10,9 +10,11 @@
     model.measure(1e-9).volume
 
 Solids are immutable values; a compiled Model may be asked by any number of threads at once. Lengths are in the unit of the
-solids' numbers, angles in degrees. Errors in what is given raise csgcast.Error (a ValueError).
+solids' numbers, angles in degrees. What makes no sense raises ValueError or TypeError; where a
+scene text, a solid or a ray is wrong that is a csgcast.Error, which is a ValueError.
 """
 from dataclasses import dataclass as _dataclass, field as _field
+from os import fspath as _fspath
 
 from . import _core
 from ._core import (Cancelled, Error, Solid, __version__, box, complement, convex, cylinder, difference, ellipsoid, empty,
@@ -120,13 +122,15 @@ class Section:
 @_dataclass(frozen=True, eq=False)
 class Check:
     """What may be wrong with a solid. overlaps: (part, part, volume, its error, a place in both) of parts that share space, proved;
-    undecided: (part, part, the most that they may share); without_effect: (kind and place, range of its leaves) of leaves and
-    Boolean operators without which, one at a time, the solid would be the same, proved."""
+    undecided: (part, part, the most that they may share); without_effect: (kind and place, why, range of its leaves) of
+    leaves and Boolean operators without which, one at a time, the shape would be the same, proved; not_asked: how many were not
+    asked, as they are among hundreds of others."""
     overlaps: list
     undecided: list
     unbounded_parts: list
     empty_parts: list
     without_effect: list
+    not_asked: int
     is_unbounded: bool
     is_empty: bool
 
@@ -149,6 +153,8 @@ class Model:
     def intervals(self, origins, directions, *, t_min=0.0, t_max=_inf, line=False, faces=True, normals=True, progress=None):
         """All intervals of each ray that lie in [t_min, t_max], or on its whole line, as Intervals. Without faces and normals
         it is faster and takes a third of the memory."""
+        if line and (t_min != 0.0 or t_max != _inf):
+            raise ValueError("line=True is the whole line: leave t_min and t_max out")
         return Intervals(**self._model.intervals(origins, directions, t_min, t_max, line, faces, normals, progress))
 
     def first_hits(self, origins, directions, *, t_min=0.0, t_max=_inf, progress=None):
@@ -241,6 +247,10 @@ class Scene:
         """What is odd in the text but has a meaning: 'file:line:column: warning: ..'."""
         return self._description.warnings
 
+    def __repr__(self):
+        parts = self.parts
+        return f"<csgcast.Scene: {len(parts)} parts{': ' if parts else ''}{', '.join(map(repr, parts[:4]))}{', ..' if len(parts) > 4 else ''}>"
+
     def compile(self, weld=None):
         """A Model of the solid that renders under the text's camera and lights; see Model for weld."""
         return Model(self._description.solid, weld, self._description)
@@ -249,7 +259,7 @@ class Scene:
 def load(path, facets="auto"):
     """Reads a scene text (OpenSCAD's .csg, or csgcast's own). facets: which curved solids become polyhedra as in OpenSCAD:
     those with $fn <= 16 ("auto"), all ("always"), none ("never")."""
-    return Scene(_core._load(str(path), facets))
+    return Scene(_core._load(_fspath(path), facets))
 
 
 def read(text, facets="auto"):

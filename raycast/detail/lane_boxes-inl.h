@@ -50,6 +50,13 @@ HWY_INLINE void set_beam(D d, const LineLanes<D>& line, hn::Mask<D> lanes, unsig
   // A line across an axis stays on its side of every box for as long as anybody looks.
   constexpr double most = 1e30;
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    if constexpr (hn::is_single<D>) {
+      // Rounded to nearest, which moves a box by 2^-20 at most: its widening is for that.
+      beam.front[axis] = beam.back[axis] = static_cast<float>(near[axis]);
+      const double inverse = line.axis_inverse[axis];
+      beam.inverse_low[axis] = static_cast<float>(inverse < -most ? -most : inverse > most ? most : inverse);
+      continue;
+    }
     const float least = rounded_down(least_of(d, lanes, near[axis]));
     const float greatest = rounded_up(greatest_of(d, lanes, near[axis]));
     const bool is_falling = ((falls >> axis) & 1) != 0;
@@ -100,7 +107,8 @@ HWY_INLINE void put(D d, hh::Vec<D> values, hh::Mask<D> chosen, std::uint32_t* l
 /// (box_tree.cpp), in space, does not matter: 2^-21 for a place and as much for its product, as nothing is farther than
 /// 8 from another.
 template <bool is_single>
-HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met) {
+HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met, std::size_t& node_count,
+                          std::size_t& conjunction_count) {
   const hh::CappedTag<float, BoxNode::width> d;
   const hh::RebindToUnsigned<decltype(d)> ids;
   using V = hh::Vec<decltype(d)>;
@@ -127,8 +135,8 @@ HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met) {
     const auto child = hh::Load(ids, node.child + first);
     const auto is_met = hh::RebindMask(ids, hh::Le(enters, leaves));
     const auto is_node = hh::Lt(child, hh::Set(ids, BoxNode::conjunction));
-    put(ids, child, hh::And(is_met, is_node), met.nodes, met.node_count);
-    put(ids, child, hh::AndNot(is_node, is_met), met.conjunctions, met.conjunction_count);
+    put(ids, child, hh::And(is_met, is_node), met.nodes, node_count);
+    put(ids, child, hh::AndNot(is_node, is_met), met.conjunctions, conjunction_count);
   }
 }
 
@@ -137,13 +145,17 @@ HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met) {
 template <bool is_single>
 HWY_INLINE bool find_conjunctions(const BoxTree& tree, const Beam& beam, Met& met) {
   met.nodes[0] = 0;
-  met.node_count = 1;
-  met.conjunction_count = 0;
-  for (std::size_t next = 0; next < met.node_count; ++next) {
-    add_boxes<is_single>(tree.nodes[met.nodes[next]], beam, met);
-    if (met.node_count > Met::most_nodes || met.conjunction_count > Cell::most_slots) return false;
+  std::size_t node_count = 1;  // these stay in registers
+  std::size_t conjunction_count = 0;
+  bool are_few = true;
+  const BoxNode* const nodes = tree.nodes.data();
+  for (std::size_t next = 0; next < node_count && are_few; ++next) {
+    add_boxes<is_single>(nodes[met.nodes[next]], beam, met, node_count, conjunction_count);
+    are_few = node_count <= Met::most_nodes && conjunction_count <= Cell::most_slots;
   }
-  return true;
+  met.node_count = node_count;
+  met.conjunction_count = conjunction_count;
+  return are_few;
 }
 
 /// One cell's worth of surfaces, and the tree's value over them.

@@ -25,7 +25,7 @@ TEST_CASE("check tells of overlaps with a place, of empty and unbounded parts, a
   CHECK(contains(outcome.out, "empty       part none\n"));
   CHECK(contains(outcome.out, "unbounded   part ground may be\n"));
   CHECK(contains(outcome.out, "no effect   intersection at 4:16: nothing is in it\n"));
-  CHECK(contains(outcome.out, "no effect   sphere at 6:30: without it the solid is the same\n"));
+  CHECK(contains(outcome.out, "no effect   sphere at 6:30: without it the shape is the same\n"));
   CHECK(contains(outcome.out, "welded      nothing\n"));
   const std::string json = run(folder, {"check", "scene.csg", "--format", "json"}).out;
   for (const char* key :

@@ -91,7 +91,7 @@ TEST_CASE("by part: touching parts keep their own lists, the scene's list joins 
   CHECK(intervals(folder, by_part).out == columns + "0,1,2,-1,0,0,1,0,0,1:13,1:13,a\n0,2,3,-1,0,0,1,0,0,2:36,2:36,b\n");
 }
 
-TEST_CASE("where a ray is in two parts at once, table and JSON tell it; parts that touch do not overlap") {
+TEST_CASE("where a ray is in two parts at once, table and JSON tell it, and parts that touch do not overlap") {
   const SceneFolder folder(
       "part(\"a\") { cube(2); }\npart(\"b\") { translate([1, 0, 0]) { cube(2); } }\n"
       "part(\"c\") { translate([3, 0, 0]) { cube(2); } }");

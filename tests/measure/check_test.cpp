@@ -109,7 +109,7 @@ TEST_CASE("All pairs of many parts that overlap are found, in order") {
 }
 
 TEST_CASE(
-    "What is without effect: hidden, missed, empty, holding all it is intersected with; the outermost such thing") {
+    "What is without effect: hidden, missed, empty, holding all it is intersected with, and of these the outermost") {
   using Why = Redundancy::Why;
   const Solid block = box({4, 4, 4}, Centering::centered);
   const Solid ball = sphere(1);
@@ -246,6 +246,16 @@ TEST_CASE("Of trees of boxes exactly those nodes are without effect that no cell
   CHECK(found > 20);
 }
 
+TEST_CASE("A ball that two others hold between them is without effect, and less these two empty") {
+  const Solid held = shifted(sphere(1.2986449187477205), {1.1643664121687392, 2.201070675528236, 8.535071669751751});
+  const Solid one = shifted(sphere(2.956668032013189), {1.4396253063062703, 3.4055177269707917, 7.8673899510011015});
+  const Solid other = shifted(sphere(3.5566315767170633), {4.949023852885141, 1.8075216357245283, 6.851760787812882});
+  const CheckReport report = check(compile(unite({held, one, other})));
+  REQUIRE(report.redundant.size() == 1);
+  CHECK(report.redundant[0].first_leaf == 0);
+  CHECK(check(compile(subtract({held, one, other}))).is_empty);
+}
+
 TEST_CASE("A leaf that makes the least of a difference is not without effect") {
   const CheckReport thin = check(compile(box({1, 1, 1}) + box({1, 1, 1 + 1e-9})));
   REQUIRE(thin.redundant.size() == 1);
@@ -260,7 +270,9 @@ TEST_CASE("More than a thousand solids in one place are not asked one by one, wh
     Solid next = shifted(sphere(0.1), {i % 7 / 7.0 + i / 2000.0, 0.5 * (i % 2), 0});
     chain = i % 2 == 0 ? chain + next : chain - next;
   }
-  CHECK(check(compile(chain)).looked_for_redundancy);
+  const CheckReport report = check(compile(chain));
+  CHECK(report.looked_for_redundancy);
+  CHECK(report.not_asked > 1000);
 }
 
 TEST_CASE("Unbounded and empty parts are told") {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The Python module: answers as of the libraries, arrays of the shapes that are promised, errors that say what is wrong."""
 import ast
+import copy
 import inspect
 import math
 import threading
@@ -156,7 +157,7 @@ def test_checks():
     assert [(a, b) for a, b, *_ in report.overlaps] == [("a", "b")]
     _, _, volume, error, place = report.overlaps[0]
     assert abs(volume - 0.5) <= error + 1e-15 and 0.5 <= place[0] <= 1
-    assert report.without_effect == [("sphere", range(3, 4))] and not report.is_unbounded
+    assert report.without_effect == [("sphere", "without it the shape is the same", range(3, 4))] and not report.is_unbounded
     assert csgcast.empty().compile().check().is_empty
 
 
@@ -281,7 +282,7 @@ def test_parts_alone(tmp_path):
     assert abs(m.mass - 16) <= m.mass_error and abs(m.volume - 8) <= m.volume_error
     assert scene.solid.only(["a", "b"]).compile().measure().parts[0].name == "a"
     assert alone.compile().render(8, 6).shape == (6, 8, 3)
-    with pytest.raises(ValueError, match="no part is named 'c'"):
+    with pytest.raises(ValueError, match="no part is named 'c'; there are .'a', 'b'"):
         scene.only("c")
 
 
@@ -291,9 +292,22 @@ def test_bounds_colors_and_names():
     assert np.isinf(csgcast.halfspace([0, 0, 1], 0).bounds).any() and csgcast.empty().bounds[0, 0] > csgcast.empty().bounds[1, 0]
     picture = [csgcast.box(2, center=True).color(c).compile().render(9, 9) for c in ("red", "#f00", [1, 0, 0], "blue")]
     assert (picture[0] == picture[1]).all() and (picture[0] == picture[2]).all() and not (picture[0] == picture[3]).all()
+    for wrong in (5, None, [1, 0, "x"], b"red"):
+        with pytest.raises(TypeError, match="a color is"):
+            moved.color(wrong)
+        with pytest.raises(TypeError, match="only"):
+            moved.only(wrong)
+    with pytest.raises(ValueError, match="not all three"):
+        csgcast.cylinder(r=1, r1=2, r2=3)
+    with pytest.raises(ValueError, match="leave t_min"):
+        moved.compile().intervals([0, 0, 0], [1, 0, 0], line=True, t_min=2)
+    with pytest.raises(TypeError):
+        csgcast.load(None)
+    assert repr(csgcast.read('part("a") { cube(1); }')) == "<csgcast.Scene: 1 parts: 'a'>"
     with pytest.raises(ValueError, match="there is no color 'rad'"):
         moved.color("rad")
     assert repr(moved) == "<csgcast.Solid: moved>"
+    assert np.array_equal(copy.deepcopy(moved).bounds, copy.copy(moved).bounds)
     assert repr(moved.part("a") + moved.part("b'c")) == "<csgcast.Solid: union, parts 'a', \"b'c\">"
 
 
