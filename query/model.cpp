@@ -69,11 +69,11 @@ class RayBuffer {
     return is_finite(o) && is_finite(d) && Ray::in_range(o, d);
   }
   [[noreturn]] void refuse(std::size_t index, std::size_t i) const {
-    try {
-      const Ray ray(origin(i), direction(i));
-    } catch (const Error& error) {
-      throw Error(error.code(), {}, fmt::format("ray {} (counted from 0) is none", index), error.what(),
-                  "correct it or leave it out");
+    const Vector d = direction(i);
+    if (!is_finite(origin(i)) || !is_finite(d) || d == Vector{}) {
+      const bool is_zero = d == Vector{};
+      throw Error(ErrorCode::bad_value, {}, fmt::format("ray {} (counted from 0) is none", index),
+                  is_zero ? "its direction is zero" : "a number of it is not finite", "correct it or leave it out");
     }
     throw Error(ErrorCode::limit, {}, fmt::format("ray {} (counted from 0) is out of range", index),
                 "coordinates up to 2^400 and directions from 2^-400 to 2^400 work", "choose another unit of length");
