@@ -5,6 +5,8 @@
 
 #include "csg/text/builder.h"
 #include "csg/text/reader.h"
+#include "csg/text/solid_text.h"
+#include "csg/text/writer.h"
 #include "python/bind.h"
 #include "query/model.h"
 #include "shade/image_file.h"
@@ -116,6 +118,7 @@ void bind_pictures(py::module_& m) {
       .def_property_readonly("warnings", warnings_of);
   m.def("_load", load, "path"_a, "facets"_a);
   m.def("_read", read_text, "text"_a, "facets"_a);
+  m.def("_text_of", [](const Solid& solid) { return text::write(text::document_of(solid)); });
   m.def("_render", [](const Model& model, const SceneDescription& description, int width, int height, int samples,
                       const std::string& mode, const py::object& camera, py::object callback) {
     return as_array(picture(model, description, width, height, samples, mode, camera, std::move(callback)));

@@ -14,7 +14,7 @@ solids' numbers, angles in degrees. What makes no sense raises ValueError or Typ
 scene text, a solid or a ray is wrong that is a csgcast.Error, which is a ValueError.
 """
 from dataclasses import dataclass as _dataclass, field as _field
-from os import fspath as _fspath
+from os import fspath as _fspath, replace as _replace
 
 from . import _core
 from ._core import (Cancelled, Error, Solid, __version__, box, complement, convex, cylinder, difference, ellipsoid, empty,
@@ -22,7 +22,7 @@ from ._core import (Cancelled, Error, Solid, __version__, box, complement, conve
 
 __all__ = ["Cancelled", "Check", "Error", "Hits", "Intervals", "Measures", "Model", "Scene", "Section", "Solid", "__version__", "box", "complement", "convex",
            "cylinder", "difference", "ellipsoid", "empty", "everything", "halfspace", "hyperboloid", "intersection", "load",
-           "paraboloid", "quadric", "read", "sphere", "union"]
+           "paraboloid", "quadric", "read", "save", "sphere", "union"]
 
 _inf = float("inf")
 
@@ -272,4 +272,23 @@ def _compile(self, weld=None):
     return Model(self, weld)
 
 
+def _to_text(self):
+    """The solid as a scene text of its own (.csg), which read(text, facets="never").solid makes the same solid of, exactly."""
+    return _core._text_of(self)
+
+
+def _solid_from(text):
+    return _core._read(text, "never").solid
+
+
+def save(solid, path):
+    """Writes a solid as a scene text (.csg), for the command line or another program. Written beside the file and renamed."""
+    beside = f"{_fspath(path)}.part"
+    with open(beside, "w", encoding="utf-8") as file:
+        file.write(solid.to_text())
+    _replace(beside, path)
+
+
 Solid.compile = _compile
+Solid.to_text = _to_text
+Solid.__reduce__ = lambda self: (_solid_from, (_core._text_of(self),))

@@ -169,11 +169,10 @@ bool value_with(Caster& caster, Point p, NodeId node, NodeId replaced, bool by) 
   if (node == replaced) return by;
   const Scene& scene = caster.scene();
   const Node& at = scene.node(node);
+  if (at.op == Node::Op::leaf) return caster.locate(node, p) == Location::inside;
   const auto children = scene.children(at);
   const auto holds = [&](NodeId child) { return value_with(caster, p, child, replaced, by); };
   switch (at.op) {
-    case Node::Op::leaf:
-      return caster.locate(node, p) == Location::inside;
     case Node::Op::unite:
       return std::ranges::any_of(children, holds);
     case Node::Op::intersect:
@@ -217,9 +216,10 @@ TEST_CASE("Of trees of boxes exactly those nodes are without effect that no cell
     };
     // Leaves that are no operand of an intersection, and those that are.
     for (const Node& node : scene.nodes()) {
+      if (node.op == Node::Op::leaf) continue;
       for (const NodeId child : scene.children(node)) {
         const Node& leaf = scene.node(child);
-        if (node.op == Node::Op::leaf || leaf.op != Node::Op::leaf) continue;
+        if (leaf.op != Node::Op::leaf) continue;
         const bool expected = is_redundant(caster, child, node.op == Node::Op::intersect);
         INFO("seed " << seed << ", leaf " << leaf.first);
         if (expected) CHECK(covered(leaf.first));

@@ -4,6 +4,7 @@ import ast
 import copy
 import inspect
 import math
+import pickle
 import threading
 from pathlib import Path
 
@@ -309,6 +310,20 @@ def test_bounds_colors_and_names():
     assert repr(moved) == "<csgcast.Solid: moved>"
     assert np.array_equal(copy.deepcopy(moved).bounds, copy.copy(moved).bounds)
     assert repr(moved.part("a") + moved.part("b'c")) == "<csgcast.Solid: union, parts 'a', \"b'c\">"
+
+
+def test_solids_are_written_and_pickled(tmp_path):
+    solid = angel().color("teal").part("angel", density=2.5) + csgcast.hyperboloid(2, 1, 0.3).rotate(33, [1, 2, 3])
+    csgcast.save(solid, tmp_path / "angel.csg")
+    assert [p.name for p in tmp_path.iterdir()] == ["angel.csg"]
+    o = np.random.default_rng(1).normal(size=(500, 3)) * 3
+    lists = [s.compile(weld=0).intervals(o, -o + 0.1, line=True)
+             for s in (solid, csgcast.load(tmp_path / "angel.csg", facets="never").solid, pickle.loads(pickle.dumps(solid)))]
+    for other in lists[1:]:
+        assert np.array_equal(lists[0].t, other.t) and np.array_equal(lists[0].offsets, other.offsets)
+        assert np.array_equal(lists[0].parts, other.parts)
+    assert csgcast.sphere(0.1).translate([1, 0, 0]).to_text().split() == (
+        "multmatrix(m = [[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { sphere(r = 0.1); }".split())
 
 
 def test_everything_public_says_what_it_is():
