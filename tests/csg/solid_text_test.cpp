@@ -116,7 +116,7 @@ TEST_CASE("nothing, everything, and faceted solids are written, too") {
     CHECK(back.children()[i].shape().forms.size() == faceted.solid.children()[i].shape().forms.size());
 }
 
-TEST_CASE("a solid a million deep is written without recursion; a shared one of 2^40 leaves is an error") {
+TEST_CASE("a solid a million deep is written without recursion, a shared one of 2^40 leaves is an error") {
   Solid deep = sphere(1);
   for (int i = 0; i < 1'000'000; ++i) deep = complement(std::move(deep));
   CHECK(text::write(text::document_of(deep)).size() > 10'000'000);

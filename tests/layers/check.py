@@ -5,7 +5,7 @@
 Includes point down only, cli -> shade, measure, query, verify -> raycast -> csg; they start with the module's name; a .cpp includes its own header
 first. What is below MODULE/detail/ is included by that module and by the tests, never by a public header. Each library of a kind
 of picture is seen by one file of shade/, CGAL only by the tests. No file is longer than 400 lines, no function longer than 60 unless a comment
-`// long: REASON` stands right above it or inside it. Prints file:line: breach for each, and exits 1 if there is one.
+`// long: REASON` stands right above it or inside it. Names of test cases have no semicolon, at which CTest parts them. Prints file:line: breach for each, and exits 1 if there is one.
 """
 import re
 import sys
@@ -99,6 +99,12 @@ def check_includes(name, text, own_header):
             yield f"{where}: {library} is for one file of shade alone"
 
 
+def check_test_names(name, text):
+    for number, line in enumerate(text.splitlines(), 1):
+        if re.match(r'TEST_CASE\("[^"]*;', line):
+            yield f"{name}:{number}: a test case with a semicolon in its name"
+
+
 def check(root):
     seen_by = {}  # the first file of shade that includes a library of pictures
     for folder in FOLDERS:
@@ -109,6 +115,7 @@ def check(root):
             header = path.with_suffix(".h") if path.suffix == ".cpp" else None
             own_header = header.relative_to(root).as_posix() if header and header.exists() else None
             yield from check_sizes(name, text)
+            yield from check_test_names(name, text)
             yield from check_includes(name, text, own_header)
             for library in {picture_library(target) for _, _, target in includes(text)} - {None}:
                 if folder == "shade" and seen_by.setdefault(library, name) != name:

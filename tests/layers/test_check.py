@@ -59,6 +59,9 @@ class Breach(unittest.TestCase):
             text = f"#include <{header}>\n"
             self.assert_breach("shade/b.cpp:1", {"shade/a.cpp": text, "shade/b.cpp": text})
 
+    def test_a_test_case_with_a_semicolon(self):
+        self.assert_breach("tests/a.cpp:2: a test case with a semicolon", {"tests/a.cpp": 'int a;\nTEST_CASE("this; that") {}\n'})
+
     def test_a_file_of_401_lines(self):
         self.assert_breach("400 lines", {"csg/a.cpp": "int a;\n" * 401})
 
