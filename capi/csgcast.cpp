@@ -70,15 +70,15 @@ std::string joined(const std::vector<std::string>& names) {
 
 Solid selected(Solid solid, const csgcast_options& options) {
   if (options.parts == nullptr) return solid;
-  const std::vector<std::string> known = part_names(solid);
   std::vector<std::string> names;
   for (size_t i = 0; i < options.part_count; ++i) {
     require(options.parts[i] != nullptr, "the name of a part is NULL");
     names.emplace_back(options.parts[i]);
-    if (std::find(known.begin(), known.end(), names.back()) == known.end()) {
-      throw Error(ErrorCode::unknown_name, {}, "no part is named '" + names.back() + "'", "",
-                  known.empty() ? "the scene has no parts" : "the parts are " + joined(known));
-    }
+  }
+  const std::vector<std::string> known = part_names(solid);
+  if (const std::string* name = unknown_part(known, names)) {
+    throw Error(ErrorCode::unknown_name, {}, "no part is named '" + *name + "'", "",
+                known.empty() ? "the scene has no parts" : "the parts are " + joined(known));
   }
   return only_parts(solid, names);
 }

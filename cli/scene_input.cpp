@@ -35,15 +35,14 @@ Welding parse_welding(const std::string& text) {
 Solid selected(Solid solid, const SceneOptions& options, const FileName& file) {
   if (options.parts.empty()) return solid;
   const std::vector<std::string> known = part_names(solid);
-  for (const std::string& name : options.parts) {
-    if (std::ranges::find(known, name) != known.end()) continue;
+  if (const std::string* name = unknown_part(known, options.parts)) {
     constexpr std::size_t most_listed = 20;
     std::string list;
     for (std::size_t i = 0; i < std::min(known.size(), most_listed); ++i) {
       list += (i > 0 ? ", " : "") + printable(known[i]);
     }
     if (known.size() > most_listed) list += fmt::format(" and {} more", known.size() - most_listed);
-    throw Error(ErrorCode::usage, {file, 0, 0}, fmt::format("no part is named '{}'", printable(name)),
+    throw Error(ErrorCode::usage, {file, 0, 0}, fmt::format("no part is named '{}'", printable(*name)),
                 "--part takes the name of a part(\"name\") statement",
                 known.empty() ? "name one, or leave --part out" : "the parts are " + list);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "csg/parts.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -94,6 +95,12 @@ std::vector<std::string> part_names(const Solid& solid) {
     for (std::size_t i = top.children().size(); i > 0; --i) open.push_back(&top.children()[i - 1]);
   }
   return names;
+}
+
+const std::string* unknown_part(std::span<const std::string> known, std::span<const std::string> names) {
+  const auto at = std::ranges::find_if(
+      names, [&](const std::string& name) { return std::ranges::find(known, name) == known.end(); });
+  return at != names.end() ? &*at : nullptr;
 }
 
 Solid only_parts(const Solid& solid, std::span<const std::string> names) { return Selection(names).run(solid); }

@@ -13,6 +13,9 @@ namespace csgcast {
 /// intersection, a difference, a complement or another part.
 std::vector<std::string> part_names(const Solid& solid);
 
+/// The first name that no part has; null if all are known.
+const std::string* unknown_part(std::span<const std::string> known, std::span<const std::string> names);
+
 /// The parts of these names, as if nothing else were there: of the unions, transforms and looks around them, what is
 /// above a part that stays. Names that no part has change nothing; without any part left: empty.
 Solid only_parts(const Solid& solid, std::span<const std::string> names);

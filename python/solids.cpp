@@ -159,11 +159,9 @@ Solid only(const Solid& solid, const py::object& name) {
     throw py::type_error("only() takes the name of a part, or a list of names");
   }
   const std::vector<std::string> known = part_names(solid);
-  for (const std::string& wanted : names) {
-    if (std::find(known.begin(), known.end(), wanted) == known.end())
-      throw py::value_error("no part is named '" + wanted + "'; there are " +
-                            py::repr(py::cast(known)).cast<std::string>());
-  }
+  if (const std::string* wanted = unknown_part(known, names))
+    throw py::value_error("no part is named '" + *wanted + "'; there are " +
+                          py::repr(py::cast(known)).cast<std::string>());
   return only_parts(solid, names);
 }
 

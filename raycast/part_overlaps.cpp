@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace csgcast {
+
 void PartOverlaps::collect(Caster& caster, Span span) {
   ends_.clear();
   const std::span<const Part> parts = caster.scene().parts();

@@ -7,7 +7,7 @@
 namespace csgcast::text {
 
 std::optional<Paint> paint_from(std::string_view text) {
-  const auto color = text.starts_with('#') ? hexadecimal_color(text) : named_color(text);
+  const auto color = color_from(text);
   if (!color) return std::nullopt;
   return Paint{linear_from(*color), (*color)[3]};
 }

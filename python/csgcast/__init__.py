@@ -283,9 +283,10 @@ def _solid_from(text):
 
 def save(solid, path):
     """Writes a solid as a scene text (.csg), for the command line or another program. Written beside the file and renamed."""
+    text = solid.to_text()
     beside = f"{_fspath(path)}.part"
     with open(beside, "w", encoding="utf-8") as file:
-        file.write(solid.to_text())
+        file.write(text)
     _replace(beside, path)
 
 

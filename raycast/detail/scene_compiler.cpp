@@ -180,22 +180,12 @@ void SceneCompiler::close() {
       passes_through(frame.solid) || (frame.solid.kind() == Solid::Kind::unite && frame.context.at_union_level);
   if (hands_on) return;
   const auto children = std::span<const NodeId>(results_).subspan(frame.results);
-  NodeId node;
-  switch (frame.solid.kind()) {
-    case Solid::Kind::unite:
-      node = add_union({children.begin(), children.end()});
-      break;
-    case Solid::Kind::intersect:
-      node = add_node(Node::Op::intersect, children);
-      break;
-    case Solid::Kind::subtract:
-      node = add_subtract(children);
-      break;
-    default:
-      node = add_node(Node::Op::complement, children);
-  }
+  const Node::Op op = operation_of(frame.solid.kind());
+  const NodeId node = op == Node::Op::unite      ? add_union({children.begin(), children.end()})
+                      : op == Node::Op::subtract ? add_subtract(children)
+                                                 : add_node(op, children);
   results_.resize(frame.results);
-  scene_.operations_.push_back({operation_of(frame.solid.kind()), node, frame.first_leaf,
+  scene_.operations_.push_back({op, node, frame.first_leaf,
                                 static_cast<std::uint32_t>(scene_.leaves_.size()), frame.solid.place()});
   deliver(node, frame.context, frame.first_leaf);
 }

@@ -12,10 +12,8 @@ namespace csgcast::text {
 
 EncodedColor color_from_string(const Call& call, std::string_view name) {
   const std::string text = call.string(name).value();
-  const bool hexadecimal = text.starts_with('#');
-  const auto color = hexadecimal ? hexadecimal_color(text) : named_color(text);
-  if (color) return *color;
-  if (hexadecimal) {
+  if (const auto color = color_from(text)) return *color;
+  if (text.starts_with('#')) {
     call.reject(ErrorCode::bad_value, call.place(name), fmt::format("'{}' is no colour", shortened(text)),
                 "a colour has 3, 4, 6 or 8 hexadecimal digits", "write #rgb, #rgba, #rrggbb or #rrggbbaa");
   }

@@ -17,6 +17,11 @@ std::optional<EncodedColor> named_color(std::string_view name);
 /// A colour written #rgb, #rgba, #rrggbb or #rrggbbaa.
 std::optional<EncodedColor> hexadecimal_color(std::string_view text);
 
+/// Either: hexadecimal if it starts with #.
+inline std::optional<EncodedColor> color_from(std::string_view text) {
+  return text.starts_with('#') ? hexadecimal_color(text) : named_color(text);
+}
+
 /// All names, in lower case and alphabetical order. Source: CSS Color Module Level 4, section 6.1.
 std::span<const std::string_view> color_names();
 
