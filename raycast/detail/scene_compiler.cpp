@@ -185,8 +185,8 @@ void SceneCompiler::close() {
                       : op == Node::Op::subtract ? add_subtract(children)
                                                  : add_node(op, children);
   results_.resize(frame.results);
-  scene_.operations_.push_back({op, node, frame.first_leaf,
-                                static_cast<std::uint32_t>(scene_.leaves_.size()), frame.solid.place()});
+  scene_.operations_.push_back(
+      {op, node, frame.first_leaf, static_cast<std::uint32_t>(scene_.leaves_.size()), frame.solid.place()});
   deliver(node, frame.context, frame.first_leaf);
 }
 
