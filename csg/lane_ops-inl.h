@@ -160,6 +160,10 @@ HWY_INLINE double MulAdd(double a, double b, double c) { return a * b + c; }
 HWY_INLINE double MulSub(double a, double b, double c) { return a * b - c; }
 #endif
 
+HWY_INLINE double Xor(double a, double b) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b));
+}
+
 HWY_INLINE std::uint64_t Add(std::uint64_t a, std::uint64_t b) { return a + b; }
 HWY_INLINE std::uint64_t Sub(std::uint64_t a, std::uint64_t b) { return a - b; }
 HWY_INLINE std::uint64_t And(std::uint64_t a, std::uint64_t b) { return a & b; }

@@ -115,8 +115,57 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
   };
   for (const Item& item : order) {
     const Conjunctions::Part& part = all.parts[item.index];
-    tree.conjunctions.push_back({static_cast<std::uint32_t>(tree.sides.size()), part.count, part.is_subtracted});
+    Conjunction& conjunction = tree.conjunctions.emplace_back();
+    conjunction.first = static_cast<std::uint32_t>(tree.sides.size());
+    conjunction.count = part.count;
+    conjunction.is_subtracted = part.is_subtracted;
     for (const Conjunctions::Side& side : std::span(all.sides).subspan(part.first, part.count)) add_side(side);
+  }
+}
+
+// Balls are told by their slots: lines find many of them side by side.
+void mark_balls(const std::vector<Slot>& slots, BoxTree& tree) {
+  if (slots.size() > BoxNode::most_slots) return;
+  for (BoxNode& node : tree.nodes) {
+    for (std::uint32_t& child : node.child) {
+      if ((child & BoxNode::conjunction) == 0) continue;
+      const Conjunction& conjunction = tree.conjunctions[child & ~BoxNode::conjunction];
+      const BoxedSide& side = tree.sides[conjunction.first];
+      const Slot& slot = slots[side.slot];
+      const bool outside_is_positive = slot.c[5] > 0;
+      if (conjunction.count != 1 || slot.kind != LaneSurface::Kind::sphere || side.is_shared) continue;
+      if (side.wants_positive == outside_is_positive) continue;
+      child = BoxNode::ball | (conjunction.is_subtracted ? BoxNode::subtracted : 0) | side.slot;
+    }
+  }
+}
+
+std::optional<Brick> brick_of(const std::vector<Slot>& slots, std::span<const BoxedSide> sides) {
+  constexpr double far = 1e300;
+  if (sides.size() != 6) return std::nullopt;
+  Brick brick{};
+  brick.lower[3] = -far;
+  brick.upper[3] = far;
+  unsigned found = 0;  // a bit for each plane
+  for (const BoxedSide& side : sides) {
+    const Slot& slot = slots[side.slot];
+    if (side.is_shared || slot.kind > LaneSurface::Kind::plane_z) return std::nullopt;
+    const std::size_t axis = axis_of(slot.kind);
+    const bool is_lower = side.wants_positive == (slot.c[1] > 0);
+    (is_lower ? brick.lower : brick.upper)[axis] = slot.c[0];
+    (is_lower ? brick.lower_slot : brick.upper_slot)[axis] = side.slot;
+    found |= 1u << (2 * axis + (is_lower ? 0 : 1));
+  }
+  return found == 0x3f ? std::optional(brick) : std::nullopt;
+}
+
+void mark_bricks(const std::vector<Slot>& slots, BoxTree& tree) {
+  for (Conjunction& conjunction : tree.conjunctions) {
+    const std::optional<Brick> brick =
+        brick_of(slots, std::span(tree.sides).subspan(conjunction.first, conjunction.count));
+    if (!brick) continue;
+    conjunction.brick = static_cast<std::uint32_t>(tree.bricks.size());
+    tree.bricks.push_back(*brick);
   }
 }
 
@@ -319,6 +368,8 @@ void add_box_tree(const CellGround& ground, const Formula& whole, CellData& data
   if (cost > most) return;
   data.boxes.nodes = std::move(nodes);
   add_conjunctions(ground, *all, hierarchy.order(), data);
+  mark_balls(data.slots, data.boxes);
+  mark_bricks(data.slots, data.boxes);
 }
 
 }  // namespace csgcast::detail

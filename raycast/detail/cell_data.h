@@ -87,8 +87,12 @@ struct AxisBounds {
 /// Eight boxes side by side, rounded outward. There are none where `lower` is above `upper`.
 struct alignas(64) BoxNode {
   static constexpr std::size_t width = 8;
-  static constexpr std::uint32_t conjunction = 0x80000000u;  ///< this bit of `child`: the rest is no node but what is
-                                                             ///< in the box
+  // Bits of `child`. Without any of them the rest is a node.
+  static constexpr std::uint32_t conjunction = 0x80000000u;  ///< the rest is the conjunction in the box
+  static constexpr std::uint32_t ball = 0xc0000000u;         ///< both: the rest is the slot of a sphere, whose inside is
+                                                             ///< the conjunction, and which no other one has
+  static constexpr std::uint32_t subtracted = 0x20000000u;   ///< and this: what is in the sphere is
+  static constexpr std::uint32_t most_slots = subtracted;
 
   float lower[3][width];
   float upper[3][width];
@@ -104,9 +108,21 @@ struct BoxedSide {
 
 /// A leaf, or leaves that an intersection joins: sides [first, first + count).
 struct Conjunction {
+  static constexpr std::uint32_t no_brick = 0xffffffffu;
+
   std::uint32_t first = 0;
+  std::uint32_t brick = no_brick;  ///< what it is, if it is one
   std::uint16_t count = 0;
   bool is_subtracted = false;
+};
+
+/// A conjunction of two planes square to each axis of the cells, which no other one has. The fourth numbers are out of
+/// every line's way.
+struct alignas(32) Brick {
+  double lower[4];
+  double upper[4];
+  std::uint32_t lower_slot[3];
+  std::uint32_t upper_slot[3];
 };
 
 /// A solid that is a union of conjunctions less others, in a hierarchy of boxes: what rays ask who want to know all
@@ -116,6 +132,7 @@ struct BoxTree {
   std::vector<BoxNode> nodes;  ///< none: the solid is not like that, or cells are better
   std::vector<Conjunction> conjunctions;
   std::vector<BoxedSide> sides;
+  std::vector<Brick> bricks;
   double slack = 0;             ///< as of a cell with all its surfaces
   bool may_have_twins = false;  ///< likewise
 };

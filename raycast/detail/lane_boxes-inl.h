@@ -11,8 +11,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
-namespace hh = hn::hh;
-
 /// What holds all lines of some lanes: where they are near the frame's center, the inverses of their directions, and
 /// where they start and end. Rounded outward; their directions have one sign on each axis.
 struct Beam {
@@ -82,26 +80,25 @@ struct Met {
   std::uint32_t conjunctions[Cell::most_slots + 2 * BoxNode::width];
   std::size_t node_count;
   std::size_t conjunction_count;
-};
 
-/// Puts the chosen lanes behind what is there, where there is room for all. In two steps: what is compressed straight
-/// into memory cannot be read back before it has got there.
-template <class D>
-HWY_INLINE void put(D d, hh::Vec<D> values, hh::Mask<D> chosen, std::uint32_t* list, std::size_t& count) {
-#if HWY_TARGET <= HWY_AVX3
-  hh::StoreU(hh::Compress(values, chosen), d, list + count);
-  count += hh::CountTrue(d, chosen);
-#else
-  // Highway's own has its table made anew each time, by hundreds of instructions.
-  std::uint8_t bits[8];
-  hh::StoreMaskBits(d, chosen, bits);
-  const unsigned lanes = bits[0];
-  const hh::Rebind<std::uint8_t, D> bytes;
-  const auto order = hh::PromoteTo(d, hh::LoadU(bytes, compress_table[lanes].data()));
-  hh::StoreU(hh::TableLookupLanes(values, hh::IndicesFromVec(d, order)), d, list + count);
-  count += static_cast<std::size_t>(std::popcount(lanes));
-#endif
-}
+  /// Takes those out that are balls: how many there are, and behind them some more of the same.
+  HWY_INLINE std::size_t take_balls(std::uint32_t* balls) {
+    const hh::CappedTag<std::uint32_t, 8> d;
+    const auto ball = hh::Set(d, BoxNode::ball);
+    std::size_t ball_count = 0;
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < conjunction_count; i += hh::Lanes(d)) {
+      const auto ids = hh::LoadU(d, conjunctions + i);
+      const auto is_there = hh::FirstN(d, conjunction_count - i);
+      const auto is_ball = hh::Eq(hh::And(ids, ball), ball);
+      put(d, ids, hh::And(is_there, is_ball), balls, ball_count);
+      put(d, ids, hh::AndNot(is_ball, is_there), conjunctions, others);
+    }
+    conjunction_count = others;
+    for (std::size_t i = 0; i < 8; i += hh::Lanes(d)) hh::StoreU(hh::Set(d, balls[0]), d, balls + ball_count + i);
+    return ball_count;
+  }
+};
 
 /// Adds those of a node's boxes that some line of the beam may meet. What rounding moves by less than `widening`
 /// (box_tree.cpp), in space, does not matter: 2^-21 for a place and as much for its product, as nothing is farther than
@@ -140,8 +137,7 @@ HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met, std::
   }
 }
 
-/// Finds the conjunctions whose boxes the beam meets; false if there are too many. Their ids have
-/// BoxNode::conjunction in them.
+/// Finds the conjunctions whose boxes the beam meets, as BoxNode::child has them; false if there are too many.
 template <bool is_single>
 HWY_INLINE bool find_conjunctions(const BoxTree& tree, const Beam& beam, Met& met) {
   met.nodes[0] = 0;
@@ -165,15 +161,22 @@ struct Gathered {
     bool is_subtracted;
   };
 
-  std::uint32_t slots[Cell::most_slots];  ///< of their surfaces
+  std::uint32_t slots[Cell::most_slots + 8];  ///< of their surfaces; registers reach beyond
   /// Conjunctions of one surface that nothing else has: inside where the state differs from `flipped`.
   std::uint64_t united, subtracted, flipped;
   Part parts[Cell::most_slots];  ///< the other ones
   std::size_t part_count;
+  // Of a single ray, if it has them:
+  bool has_line_events;
+  std::uint64_t line_state;  ///< where the stretch begins that is looked at
+  LineEvents line_events;    ///< on that
 
   HWY_INLINE void begin() {
     united = subtracted = flipped = 0;
     part_count = 0;
+    line_events.count = 0;
+    line_state = 0;
+    has_line_events = false;
   }
   /// Which of the first `count` slots it is; `count` if none.
   HWY_INLINE std::size_t place_of(std::uint32_t slot, std::size_t count) const {
@@ -243,14 +246,33 @@ class Gatherer {
     const V margin = hn::Set(d, 4 * greatest_slack);
     const Stretch stretch{hn::Sub(from, margin), hn::Add(to, margin), lanes};
     std::size_t count = 0;
+    if constexpr (hn::is_single<D>) {
+      if (departures_ == nullptr) count = add_balls(stretch);
+    }
+    const std::size_t ball_count = count;
+    const bool knows_bricks = hn::is_single<D> && departures_ == nullptr && !line_.any_is_loose;
     for (std::size_t k = 0; k < met_.conjunction_count; ++k) {
-      const Conjunction& conjunction = tree.conjunctions[met_.conjunctions[k] - BoxNode::conjunction];
+      const std::uint32_t id = met_.conjunctions[k];
+      if ((id & BoxNode::ball) == BoxNode::ball) {
+        if (count == Cell::most_slots) return std::nullopt;
+        const std::uint32_t slot = id & (BoxNode::most_slots - 1);
+        count = add_simple({slot, cells_.slots[slot].c[5] <= 0, false}, (id & BoxNode::subtracted) != 0, stretch, count);
+        continue;
+      }
+      const Conjunction& conjunction = tree.conjunctions[id - BoxNode::conjunction];
       if (count + conjunction.count > Cell::most_slots) return std::nullopt;
-      if (conjunction.count == 1) {
-        count = add_simple(tree, conjunction, stretch, count);
+      const BoxedSide& side = tree.sides[conjunction.first];
+      if (knows_bricks && conjunction.brick != Conjunction::no_brick) {
+        if (add_brick(tree.bricks[conjunction.brick], conjunction.is_subtracted, stretch, count)) continue;
+      }
+      if (conjunction.count == 1 && !side.is_shared) {
+        count = add_simple(side, conjunction.is_subtracted, stretch, count);
       } else {
         count = add_conjunction(tree, conjunction, stretch, count);
       }
+    }
+    if constexpr (hn::is_single<D>) {
+      if (departures_ == nullptr) add_line_events(stretch, ball_count, count);
     }
     return count;
   }
@@ -289,11 +311,104 @@ class Gatherer {
     events_.before = hn::And(events_.before, hn::Set(Bits(), kept));
   }
 
-  /// A conjunction of one surface. Returns how many slots there are then.
-  HWY_INLINE std::size_t add_simple(const BoxTree& tree, const Conjunction& conjunction, const Stretch& stretch,
+  /// The spheres that a single ray may meet, as the first slots: how many of these they take. Some are left empty.
+  HWY_INLINE std::size_t add_balls(const Stretch& stretch) {
+    const SlotLanes d;
+    const BitsOf<SlotLanes> bits;
+    const hh::Rebind<std::uint32_t, SlotLanes> ids;
+    const std::size_t lanes = hh::Lanes(d);
+    std::uint32_t balls[Cell::most_slots + 24];
+    const std::size_t count = met_.take_balls(balls);
+    counts_.surface_tests += count;
+    const BallLine line(line_);
+    const auto from = hh::Set(d, stretch.from);
+    const auto to = hh::Set(d, stretch.to);
+    const auto never = hh::Inf(d);
+    auto open = hh::MaskFromVec(hh::Zero(d));
+    for (std::size_t k = 0; k < count; k += lanes) {
+      const Slot* slots[8];
+      for (std::size_t i = 0; i < lanes; ++i)
+        slots[i] = &cells_.slots[balls[k + i] & (BoxNode::most_slots - 1)];
+      const BallRow row = ball_row(line, slots);
+      const auto is_there = hh::FirstN(d, count - k);
+      open = hh::Or(open, hh::And(is_there, row.is_open));
+      const auto begins = hh::Ge(row.first, from);
+      const auto has_first = hh::And(is_there, hh::And(begins, hh::Le(row.first, to)));
+      const auto has_second = hh::And(is_there, hh::And(hh::Ge(row.second, from), hh::Le(row.second, to)));
+      const auto starts_in = hh::AndNot(begins, hh::And(is_there, hh::Ge(row.second, from)));
+      const auto matters = hh::Or(has_first, hh::Or(has_second, starts_in));
+      const auto slot = hh::Add(hh::Iota(bits, 0), hh::Set(bits, k));
+      gathered_.line_events.add(d, row.first, slot, has_first);
+      gathered_.line_events.add(d, row.second, slot, has_second);
+      hh::StoreU(hh::IfThenElse(matters, row.first, never), d, events_.first + k);
+      hh::StoreU(hh::IfThenElse(matters, row.second, never), d, events_.second + k);
+      const auto found = hh::LoadU(ids, balls + k);
+      hh::StoreU(hh::And(found, hh::Set(ids, BoxNode::most_slots - 1)), ids, gathered_.slots + k);
+      const auto subtracted = hh::Set(ids, BoxNode::subtracted);
+      const std::uint64_t out = lane_bits(ids, hh::Eq(hh::And(found, subtracted), subtracted));
+      const std::uint64_t kept = lane_bits(d, matters);
+      const std::uint64_t positive = kept & lane_bits(d, row.outside_is_positive);
+      events_.before |= positive << k;
+      gathered_.line_state |= (positive ^ (kept & lane_bits(d, starts_in))) << k;
+      gathered_.flipped |= positive << k;
+      gathered_.united |= (kept & ~out) << k;
+      gathered_.subtracted |= (kept & out) << k;
+    }
+    flag(events_, !hh::AllFalse(d, open));
+    return count;
+  }
+
+  /// The planes by which a single ray comes into a brick and leaves it, if it does on the stretch; false, and nothing
+  /// done, if other planes are too close to them.
+  HWY_INLINE bool add_brick(const Brick& brick, bool is_subtracted, const Stretch& stretch, std::size_t& count) {
+    if constexpr (hn::is_single<D>) {
+      const double apart = 2 * line_.slack;
+      const BrickLine line(line_, apart);
+      const BrickCrossings at = brick_crossings(line, brick);
+      if (at.enters > at.leaves + apart || at.enters > stretch.to || at.leaves < stretch.from) return true;
+      if (!std::has_single_bit(at.enters_by) || !std::has_single_bit(at.leaves_by) || at.leaves <= at.enters + apart)
+        return false;
+      Gathered::Part part{0, 0, is_subtracted};
+      const auto add = [&](double event, unsigned by, bool is_entry) {
+        if (event < stretch.from || event > stretch.to) return;
+        const bool is_lower = ((line.falls & by) == 0) == is_entry;
+        const std::uint32_t slot = (is_lower ? brick.lower_slot : brick.upper_slot)[std::countr_zero(by)];
+        const bool wants_positive = is_lower == (cells_.slots[slot].c[1] > 0);
+        const std::uint64_t bit = std::uint64_t{1} << count;
+        events_.first[count] = event;
+        events_.second[count] = hn::Inf(D());
+        part.mask |= bit;
+        if (wants_positive) part.want |= bit;
+        if (wants_positive != is_entry) events_.before |= bit;
+        gathered_.slots[count++] = slot;
+      };
+      add(at.enters, at.enters_by, true);
+      add(at.leaves, at.leaves_by, false);
+      counts_.surface_tests += 6;
+      gathered_.parts[gathered_.part_count++] = part;
+      return true;
+    } else {
+      (void)brick, (void)is_subtracted, (void)stretch, (void)count;
+      return false;
+    }
+  }
+
+  /// The events of the slots [from, to) join those of the balls.
+  HWY_INLINE void add_line_events(const Stretch& stretch, std::size_t from, std::size_t to) {
+    const std::uint64_t balls = (std::uint64_t{1} << from) - 1;
+    gathered_.line_state |= events_.before & ~balls;
+    for (std::size_t i = from; i < to; ++i) {
+      for (const double event : {events_.first[i], events_.second[i]}) {
+        gathered_.line_state ^= std::uint64_t{event < stretch.from} << i;
+        gathered_.line_events.add(event, i, (event >= stretch.from) & (event <= stretch.to));
+      }
+    }
+    gathered_.has_line_events = true;
+  }
+
+  /// A conjunction of one surface, which no other one has. Returns how many slots there are then.
+  HWY_INLINE std::size_t add_simple(const BoxedSide& side, bool is_subtracted, const Stretch& stretch,
                                     std::size_t count) {
-    const BoxedSide& side = tree.sides[conjunction.first];
-    if (side.is_shared) return add_conjunction(tree, conjunction, stretch, count);
     const Course course = course_of(cells_.slots[side.slot], stretch, count);
     const M holds = side.wants_positive ? course.positive : hn::Not(course.positive);
     // Whether some lane meets it is hard to foresee: packets go on without a branch.
@@ -305,8 +420,8 @@ class Gatherer {
     const std::uint64_t bit = std::uint64_t{matters} << count;
     forget_events(count + matters, count + 1);
     gathered_.slots[count] = side.slot;
-    gathered_.united |= conjunction.is_subtracted ? 0 : bit;
-    gathered_.subtracted |= conjunction.is_subtracted ? bit : 0;
+    gathered_.united |= is_subtracted ? 0 : bit;
+    gathered_.subtracted |= is_subtracted ? bit : 0;
     gathered_.flipped |= side.wants_positive ? 0 : bit;
     return count + matters;
   }

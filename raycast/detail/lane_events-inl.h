@@ -142,27 +142,44 @@ HWY_INLINE void depart_from_round(D d, const LineLanes<D>& line, hn::Vec<D> midd
   flag(events, hn::And(outwards, hn::And(departing, hn::Gt(gap, hn::Set(d, 2 * greatest_slack)))));
 }
 
+template <class V>
+struct SphereCrossings {
+  V first, second;  ///< infinite where there are none
+  V middle, discriminant;
+};
+
+/// `v`: from a sphere's center to what is near it on the line.
+template <class D>
+HWY_INLINE SphereCrossings<hn::Vec<D>> sphere_crossings(D d, const Triples<hn::Vec<D>>& v,
+                                                        const Triples<hn::Vec<D>>& direction,
+                                                        hn::Vec<D> inverse_squared, hn::Vec<D> radius_squared) {
+  using V = hn::Vec<D>;
+  const V middle = hn::Mul(hn::Neg(fused_dot(v, direction)), inverse_squared);
+  const Triples<V> closest{hn::MulAdd(middle, direction.x, v.x), hn::MulAdd(middle, direction.y, v.y),
+                           hn::MulAdd(middle, direction.z, v.z)};
+  const V discriminant = hn::Sub(radius_squared, fused_dot(closest, closest));
+  const auto misses = hn::Lt(discriminant, hn::Zero(d));
+  const V half = hn::Sqrt(hn::Mul(hn::Max(discriminant, hn::Zero(d)), inverse_squared));
+  const V never = hn::Inf(d);
+  return {hn::IfThenElse(misses, never, hn::Sub(middle, half)), hn::IfThenElse(misses, never, hn::Add(middle, half)),
+          middle, discriminant};
+}
+
 template <class D>
 HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const Slot& sphere, hn::Mask<D> departing,
                               const Departures<D>* departures, std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
-  const Triples<V> v{hn::Sub(line.near.x, hn::Set(d, sphere.c[0])), hn::Sub(line.near.y, hn::Set(d, sphere.c[1])),
-                     hn::Sub(line.near.z, hn::Set(d, sphere.c[2]))};
-  const V middle = hn::Mul(hn::Neg(fused_dot(v, line.direction)), line.inverse_squared);
-  const Triples<V> closest{hn::MulAdd(middle, line.direction.x, v.x), hn::MulAdd(middle, line.direction.y, v.y),
-                           hn::MulAdd(middle, line.direction.z, v.z)};
-  const V discriminant = hn::Sub(hn::Set(d, sphere.c[3]), fused_dot(closest, closest));
-  const auto misses = hn::Lt(discriminant, hn::Zero(d));
-  const V half = hn::Sqrt(hn::Mul(hn::Max(discriminant, hn::Zero(d)), line.inverse_squared));
-  const V never = hn::Inf(d);
-  events.first[i] = hn::IfThenElse(misses, never, hn::Sub(middle, half));
-  events.second[i] = hn::IfThenElse(misses, never, hn::Add(middle, half));
+  const Triples<V> center{hn::Set(d, sphere.c[0]), hn::Set(d, sphere.c[1]), hn::Set(d, sphere.c[2])};
+  const auto crossings =
+      sphere_crossings(d, line.near - center, line.direction, line.inverse_squared, hn::Set(d, sphere.c[3]));
+  events.first[i] = crossings.first;
+  events.second[i] = crossings.second;
   const bool outside_is_positive = sphere.c[5] > 0;
   set_before(d, events, i, outside_is_positive);
-  const auto is_open = hn::Le(hn::Abs(discriminant), hn::Set(d, sphere.c[4]));
+  const auto is_open = hn::Le(hn::Abs(crossings.discriminant), hn::Set(d, sphere.c[4]));
   if (departures == nullptr) return flag(events, is_open);
   flag(events, hn::AndNot(departing, is_open));
-  depart_from_round(d, line, middle, outside_is_positive, 2 * round_slack, departing, *departures, i, events);
+  depart_from_round(d, line, crossings.middle, outside_is_positive, 2 * round_slack, departing, *departures, i, events);
 }
 
 /// A cylinder about a line along an axis of the cells: a circle in the plane of the other two. Rays nearly along the

@@ -76,6 +76,71 @@ class EndLog {
   std::vector<std::uint8_t> masks_;
 };
 
+/// The same of one ray, where they are wanted: behind the intervals of those before it.
+template <>
+class EndLog<hn::Single<double>> {
+ public:
+  /// `start`: t of rays that begin inside.
+  EndLog(const LaneLists& lists, double start)
+      : intervals_(*lists.intervals), faces_(lists.faces), start_(start), base_(2 * intervals_.size()), first_(base_), next_(base_) {
+    make_room();
+  }
+  EndLog(const EndLog&) = delete;
+  EndLog& operator=(const EndLog&) = delete;
+  /// What was not kept is gone.
+  ~EndLog() {
+    intervals_.resize(first_ / 2);
+    if (faces_ != nullptr) faces_->resize(first_);
+  }
+
+  /// Forgets what the ray met.
+  void clear() { next_ = first_; }
+  /// The next ray comes behind it. Returns how many intervals there are.
+  std::size_t keep() {
+    first_ = next_;
+    return first_ / 2;
+  }
+
+  HWY_INLINE void add(bool, double t, std::uint64_t where, std::uint64_t face) {
+    if (faces_ != nullptr)
+      (*faces_)[next_] = {LeafId(static_cast<std::uint32_t>(face)), LookId(static_cast<std::uint32_t>(face >> 32))};
+    set(t, SurfaceId(static_cast<std::uint32_t>(where)), static_cast<std::uint8_t>(where >> 32));
+  }
+  HWY_INLINE void set_normals(const Triples<double>& normal) {
+    (*faces_)[next_ - 1].normal = {normal.x, normal.y, normal.z};
+  }
+  void add_start() {
+    if (faces_ != nullptr) (*faces_)[next_] = {};
+    set(start_, {}, 0);
+  }
+  void add_end(double t) {
+    if (faces_ != nullptr) (*faces_)[next_] = {};
+    set(t, {}, 1);
+  }
+
+ private:
+  HWY_INLINE void set(double t, SurfaceId surface, std::uint8_t root) {
+    Interval& interval = room_[next_ / 2];
+    (next_ % 2 == 0 ? interval.entry : interval.exit) = {t, surface, root};
+    if (++next_ == size_) make_room();
+  }
+  HWY_NOINLINE void make_room() {
+    intervals_.resize(next_ / 2 + (next_ - base_) / 2 + 64);
+    size_ = 2 * intervals_.size();
+    room_ = intervals_.data();
+    if (faces_ != nullptr) faces_->resize(size_);
+  }
+
+  IntervalList& intervals_;
+  std::vector<EndFace>* faces_;
+  double start_;
+  std::size_t base_;   // ends that were there before all
+  std::size_t first_;  // and before the ray's
+  std::size_t next_;
+  std::size_t size_ = 0;  // for so many ends there is room
+  Interval* room_ = nullptr;
+};
+
 }  // namespace HWY_NAMESPACE
 }  // namespace csgcast::detail
 HWY_AFTER_NAMESPACE();

@@ -49,9 +49,6 @@ HWY_INLINE hn::Mask<D> value_by_table(D d, const Cell& cell, hn::Vec<BitsOf<D>> 
   return hn::RebindMask(d, hn::Ne(hn::And(word, hn::Set(bits, 1)), hn::Zero(bits)));
 }
 
-/// For single rays: surfaces in the lanes, not rays.
-using SlotLanes = hn::hh::CappedTag<double, 8>;
-
 /// With so many it pays to put them there.
 constexpr std::size_t fewest_in_lanes = 9;
 

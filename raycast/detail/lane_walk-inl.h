@@ -106,6 +106,9 @@ class Walk {
     ++counts_.cells;
     const M starting = hn::And(lanes, hn::Le(from, line_.start));
     begun_ = hn::Or(begun_, lanes);
+    if constexpr (hn::is_single<D>) {
+      if (gathered_.has_line_events && sweep_in_order(cell, from, to, starting)) return true;
+    }
     // Lanes that know too little are flagged even where no surface is left.
     look_into(cell, from, to, lanes, starting);
     return true;
@@ -195,6 +198,9 @@ class Walk {
     if constexpr (wanted == Wanted::any) {
       found_ = hn::Or(found_, hn::And(lanes, inside));
       live_ = hn::AndNot(hn::And(lanes, inside), live_);
+    }
+    if constexpr (wanted == Wanted::all && hn::is_single<D>) {
+      if (lanes & inside) ends_->add_start();
     }
   }
 
@@ -289,6 +295,55 @@ class Walk {
     }
   }
 
+  /// `sweep`, and `start` before it, of a single ray whose events are gathered, if these are as far apart as two of
+  /// their bounds; false, and nothing done, if they are not.
+  HWY_INLINE bool sweep_in_order(const Cell& cell, double from, double to, bool starting) {
+    LineEvents& events = gathered_.line_events;
+    if (events_.flagged) return false;
+    sorted_.sort(events);
+    const double slack = events_.slack;
+    const double apart = slack + slack;
+    const double at = from + slack;
+    const double limit = to + slack;
+    const double last = line_.ends ? line_.end - (slack + line_.end_error) : limit;
+    const double* const place = sorted_.at;
+    double before = -hn::Inf(D());
+    U state = gathered_.line_state;
+    bool are_apart = true;
+    std::size_t i = 0;
+    const auto pass = [&] {
+      are_apart &= place[i] - before > apart;
+      before = place[i];
+      state ^= std::uint64_t{1} << sorted_.slot[i++];
+    };
+    while (i < events.count && place[i] <= at) pass();
+    const bool starts_inside = gathered_value(D(), gathered_, state);
+    // Who starts near an event, or comes in from beyond and not from outside, is looked at by the other code.
+    if (starting ? before > from - slack : starts_inside) return false;
+    bool inside = starts_inside;
+    std::size_t end_count = 0;
+    while (i < events.count && place[i] <= limit) {
+      pass();
+      const bool value = gathered_value(D(), gathered_, state);
+      // Whether it is an end nobody could foresee.
+      line_ends_[end_count].slot = static_cast<std::uint32_t>(sorted_.slot[i - 1]);
+      line_ends_[end_count].rises = ((state >> sorted_.slot[i - 1]) & 1) != 0;
+      end_count += value != inside;
+      inside = value;
+    }
+    if (i > 0 && before > last) return false;
+    if (i < events.count) are_apart &= place[i] - before > apart;
+    if (!are_apart) return false;
+    crossings_.known = 0;
+    if (starting) begin_in(true, starts_inside);
+    now_inside_ = starts_inside;
+    for (std::size_t k = 0; k < end_count; ++k) {
+      append(cell, true, line_ends_[k].slot, line_ends_[k].rises, !now_inside_);
+      now_inside_ = !now_inside_;
+    }
+    return true;
+  }
+
   /// Two surfaces flip within slack of each other: it does not matter in which order if the value is the same in
   /// between, or if one of them alone decides it both before and after. All else is flagged. `flips` becomes the one
   /// that decides.
@@ -379,6 +434,13 @@ class Walk {
   Events<D> events_;
   CellCrossings<D> crossings_;
   Gathered gathered_;
+  // Of a single ray that gathers:
+  struct LineEnd {
+    std::uint32_t slot;
+    bool rises;
+  };
+  SortedEvents sorted_;
+  LineEnd line_ends_[LineEvents::most + 1];
   M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_, unrounded_, covered_lanes_;
   V covered_;
   bool rounds_ = false;

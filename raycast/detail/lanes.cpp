@@ -25,6 +25,8 @@
 // The blank comments keep the order.
 #include "raycast/detail/lane_events-inl.h"
 //
+#include "raycast/detail/lane_order-inl.h"
+//
 #include "raycast/detail/lane_values-inl.h"
 //
 #include "raycast/detail/lane_round-inl.h"
@@ -32,6 +34,8 @@
 #include "raycast/detail/lane_hits-inl.h"
 //
 #include "raycast/detail/lane_log-inl.h"
+//
+#include "raycast/detail/lane_balls-inl.h"
 //
 #include "raycast/detail/lane_boxes-inl.h"
 //
@@ -229,6 +233,25 @@ HWY_INLINE void append_lists(D d, const RayArrays& rays, std::size_t first, std:
   }
 }
 
+/// The same of one ray, whose ends are where they belong.
+HWY_INLINE void append_lists(hn::Single<double>, const RayArrays& rays, std::size_t ray, std::size_t,
+                             const Walk<hn::Single<double>, Wanted::all>& walk, EndLog<hn::Single<double>>& log,
+                             unsigned told, const LaneLists& lists) {
+  if (told == 0) log.clear();
+  if (told != 0 && walk.inside()) log.add_end(rays.end != nullptr ? rays.end[ray] : HUGE_VAL);
+  lists.ends[ray] = log.keep();
+}
+
+/// Room for what rays meet.
+template <class D>
+HWY_INLINE EndLog<D> make_log(D, const RayArrays& rays, const LaneLists& lists) {
+  if constexpr (hn::is_single<D>) {
+    return EndLog<D>(lists, rays.whole_line ? -HUGE_VAL : 0);
+  } else {
+    return EndLog<D>();
+  }
+}
+
 template <class D>
 void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneLists& lists,
                 PacketCounts& counts) {
@@ -236,7 +259,7 @@ void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays
   const std::size_t lanes = hn::Lanes(d);
   LineLanes<D> line;
   Departures<D> departures;
-  EndLog<D> log;
+  EndLog<D> log = make_log(d, rays, lists);
   Walk<D, Wanted::all> walk(scene, cells, line, rays.departure != nullptr ? &departures : nullptr, &log, counts);
   walk.set_rounds(lists.rounds);
   walk.set_wants_normals(lists.wants_normals);
