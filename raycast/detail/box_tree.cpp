@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/detail/box_tree.h"
 
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -169,7 +170,8 @@ void mark_bricks(const std::vector<Slot>& slots, BoxTree& tree) {
   }
 }
 
-// The hierarchy: halved by the surface area heuristic until eight parts are found, node by node.
+// The hierarchy: halved by the surface area heuristic, and of the halves those are joined to nodes of eight that let
+// lines meet the fewest nodes.
 class Hierarchy {
  public:
   Hierarchy(std::vector<Item> items, std::vector<BoxNode>& nodes) : items_(std::move(items)), nodes_(nodes) {}
@@ -185,10 +187,14 @@ class Hierarchy {
 
     std::size_t size() const { return end - begin; }
   };
-  struct Work {
+  // Of the binary tree: its two halves lie side by side, behind it.
+  struct Branch {
     Range range;
-    std::size_t node;
+    std::uint32_t halves = 0;  // none: one item
+    // [i]: the area of all nodes below, if at most i + 1 of a node's places hold what is here.
+    std::array<float, BoxNode::width> costs{};
   };
+  using Chosen = std::array<std::uint32_t, BoxNode::width>;
   static constexpr std::size_t bins = 16;
   struct Plane {
     std::size_t axis = 0;
@@ -200,8 +206,15 @@ class Hierarchy {
   std::size_t halve(const Range& range);
   static std::size_t bin_of(const Item& item, std::size_t axis, float low, float scale);
   Plane best_plane(const Range& range, std::size_t axis, float low, float scale) const;
+  void make_branches();
+  float cost_of_halves(const Branch& branch, std::size_t places, std::size_t for_first) const;
+  std::size_t best_share(const Branch& branch, std::size_t places) const;
+  void set_costs(Branch& branch) const;
+  void choose(std::uint32_t branch, std::size_t places, Chosen& chosen, std::size_t& count) const;
+  void make_nodes();
 
   std::vector<Item> items_;
+  std::vector<Branch> branches_;
   std::vector<BoxNode>& nodes_;
 };
 
@@ -271,33 +284,86 @@ std::size_t Hierarchy::halve(const Range& range) {
   return static_cast<std::size_t>(second - items_.begin());
 }
 
-void Hierarchy::build() {
-  std::vector<Work> work{{range_of(0, items_.size()), 0}};
+void Hierarchy::make_branches() {
+  branches_.reserve(2 * items_.size());
+  branches_.push_back({range_of(0, items_.size()), 0, {}});
+  for (std::size_t i = 0; i < branches_.size(); ++i) {
+    const Range range = branches_[i].range;
+    if (range.size() < 2) continue;
+    branches_[i].halves = static_cast<std::uint32_t>(branches_.size());
+    const std::size_t middle = halve(range);
+    branches_.push_back({range_of(range.begin, middle), 0, {}});
+    branches_.push_back({range_of(middle, range.end), 0, {}});
+  }
+}
+
+float Hierarchy::cost_of_halves(const Branch& branch, std::size_t places, std::size_t for_first) const {
+  return branches_[branch.halves].costs[for_first - 1] + branches_[branch.halves + 1].costs[places - for_first - 1];
+}
+
+// How many of some places the first half should get.
+std::size_t Hierarchy::best_share(const Branch& branch, std::size_t places) const {
+  std::size_t best = 1;
+  for (std::size_t share = 2; share < places; ++share) {
+    if (cost_of_halves(branch, places, share) < cost_of_halves(branch, places, best)) best = share;
+  }
+  return best;
+}
+
+// Those of its halves are known.
+void Hierarchy::set_costs(Branch& branch) const {
+  if (branch.halves == 0) return;
+  const auto cost_in = [&](std::size_t places) {
+    return cost_of_halves(branch, places, best_share(branch, places));
+  };
+  branch.costs[0] = branch.range.box.area() + cost_in(BoxNode::width);
+  for (std::size_t places = 2; places <= BoxNode::width; ++places)
+    branch.costs[places - 1] = std::min(branch.costs[places - 2], cost_in(places));
+}
+
+// What the places of a node should hold of a branch, at most so many. Not deep: each time there are fewer places.
+void Hierarchy::choose(std::uint32_t index, std::size_t places, Chosen& chosen, std::size_t& count) const {
+  const Branch& branch = branches_[index];
+  while (places > 1 && branch.costs[places - 1] == branch.costs[places - 2]) --places;
+  if (places == 1) {
+    chosen[count++] = index;
+    return;
+  }
+  const std::size_t share = best_share(branch, places);
+  choose(branch.halves, share, chosen, count);
+  choose(branch.halves + 1, places - share, chosen, count);
+}
+
+void Hierarchy::make_nodes() {
+  struct Work {
+    std::uint32_t branch;
+    std::size_t node;
+  };
+  std::vector<Work> work{{0, 0}};
   nodes_.emplace_back();
   while (!work.empty()) {
     const Work at = work.back();
     work.pop_back();
-    std::array<Range, BoxNode::width> parts;
-    std::size_t count = 1;
-    parts[0] = at.range;
-    while (count < BoxNode::width) {
-      const auto largest = std::max_element(parts.begin(), parts.begin() + count, [](const Range& a, const Range& b) {
-        return (a.size() > 1 ? a.box.area() : -1) < (b.size() > 1 ? b.box.area() : -1);
-      });
-      if (largest->size() < 2) break;
-      const std::size_t middle = halve(*largest);
-      parts[count++] = range_of(middle, largest->end);
-      *largest = range_of(largest->begin, middle);
+    Chosen chosen{};
+    std::size_t count = 0;
+    if (const std::uint32_t halves = branches_[at.branch].halves; halves != 0) {
+      const std::size_t share = best_share(branches_[at.branch], BoxNode::width);
+      choose(halves, share, chosen, count);
+      choose(halves + 1, BoxNode::width - share, chosen, count);
+    } else {
+      chosen[count++] = at.branch;
     }
     for (std::size_t k = 0; k < BoxNode::width; ++k) {
-      const FloatBox& box = k < count ? parts[k].box : nothing;
+      const bool is_empty = k >= count;
+      const Branch* const part = is_empty ? nullptr : &branches_[chosen[k]];
+      const FloatBox& box = is_empty ? nothing : part->range.box;
       std::uint32_t child = 0;
-      if (k < count && parts[k].size() == 1) {
-        child = BoxNode::conjunction | static_cast<std::uint32_t>(parts[k].begin);
-      } else if (k < count) {
+      if (!is_empty && part->halves == 0) {
+        child = BoxNode::conjunction | static_cast<std::uint32_t>(part->range.begin);
+      } else if (!is_empty) {
         child = static_cast<std::uint32_t>(nodes_.size());
         nodes_.emplace_back();
-        work.push_back({parts[k], child});
+        work.push_back({chosen[k], child});
       }
       BoxNode& node = nodes_[at.node];
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -307,6 +373,13 @@ void Hierarchy::build() {
       node.child[k] = child;
     }
   }
+}
+
+void Hierarchy::build() {
+  make_branches();
+  // Halves come behind what they are halves of.
+  for (std::size_t i = branches_.size(); i-- > 0;) set_costs(branches_[i]);
+  make_nodes();
 }
 
 std::optional<FloatBox> widened(const CellBox& box) {
