@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/detail/box_tree.h"
 
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -367,8 +366,8 @@ void Hierarchy::make_nodes() {
       }
       BoxNode& node = nodes_[at.node];
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.lower[axis][k] = box.lower[axis];
-        node.upper[axis][k] = box.upper[axis];
+        node.side[0][axis][k] = box.lower[axis];
+        node.side[1][axis][k] = box.upper[axis];
       }
       node.child[k] = child;
     }
@@ -411,8 +410,8 @@ double cost_of_nodes(std::span<const BoxNode> nodes, const CellBox& everything) 
   for (const BoxNode& node : nodes) {
     for (std::size_t k = 0; k < BoxNode::width; ++k) {
       if (node.child[k] == 0 || (node.child[k] & BoxNode::conjunction) != 0) continue;
-      const FloatBox box{{node.lower[0][k], node.lower[1][k], node.lower[2][k]},
-                         {node.upper[0][k], node.upper[1][k], node.upper[2][k]}};
+      const FloatBox box{{node.side[0][0][k], node.side[0][1][k], node.side[0][2][k]},
+                         {node.side[1][0][k], node.side[1][1][k], node.side[1][2][k]}};
       met += box.area() / area(everything);
     }
   }

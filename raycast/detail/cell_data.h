@@ -84,7 +84,7 @@ struct AxisBounds {
   double off_axis = 0x1p-42;     ///< what a distance squared from an axis may be off, of rays along it
 };
 
-/// Eight boxes side by side, rounded outward. There are none where `lower` is above `upper`.
+/// Eight boxes side by side, rounded outward. There is none where the lower side is above the upper one.
 struct alignas(64) BoxNode {
   static constexpr std::size_t width = 8;
   // Bits of `child`. Without any of them the rest is a node.
@@ -94,8 +94,7 @@ struct alignas(64) BoxNode {
   static constexpr std::uint32_t subtracted = 0x20000000u;   ///< and this: what is in the sphere is
   static constexpr std::uint32_t most_slots = subtracted;
 
-  float lower[3][width];
-  float upper[3][width];
+  float side[2][3][width];  ///< the lower ones, and the upper ones, by axis
   std::uint32_t child[width];
 };
 

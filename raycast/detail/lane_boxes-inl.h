@@ -14,7 +14,8 @@ namespace HWY_NAMESPACE {
 /// What holds all lines of some lanes: where they are near the frame's center, the inverses of their directions, and
 /// where they start and end. Rounded outward; their directions have one sign on each axis.
 struct Beam {
-  float front[3], back[3];  ///< what to take from the sides of boxes where lines come in and leave
+  float front[3], back[3];  ///< what to take from the sides of boxes where lines come in and leave; of a single line
+                            ///< `front` alone, and times its inverse
   float inverse_low[3], inverse_high[3];
   float from, to;
   unsigned falls;  ///< the axes along which they do
@@ -50,9 +51,10 @@ HWY_INLINE void set_beam(D d, const LineLanes<D>& line, hn::Mask<D> lanes, unsig
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if constexpr (hn::is_single<D>) {
       // Rounded to nearest, which moves a box by 2^-20 at most: its widening is for that.
-      beam.front[axis] = beam.back[axis] = static_cast<float>(near[axis]);
       const double inverse = line.axis_inverse[axis];
-      beam.inverse_low[axis] = static_cast<float>(inverse < -most ? -most : inverse > most ? most : inverse);
+      const double bounded = inverse < -most ? -most : inverse > most ? most : inverse;
+      beam.front[axis] = static_cast<float>(near[axis] * bounded);
+      beam.inverse_low[axis] = static_cast<float>(bounded);
       continue;
     }
     const float least = rounded_down(least_of(d, lanes, near[axis]));
@@ -113,16 +115,17 @@ HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met, std::
     V enters = hh::Set(d, beam.from);
     V leaves = hh::Set(d, beam.to);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool falls = ((beam.falls >> axis) & 1) != 0;
-      const V lower = hh::Load(d, node.lower[axis] + first);
-      const V upper = hh::Load(d, node.upper[axis] + first);
-      const V front = hh::Sub(falls ? upper : lower, hh::Set(d, beam.front[axis]));
-      const V back = hh::Sub(falls ? lower : upper, hh::Set(d, beam.back[axis]));
+      const std::size_t falls = (beam.falls >> axis) & 1;
+      const V from = hh::Load(d, node.side[falls][axis] + first);
+      const V to = hh::Load(d, node.side[1 - falls][axis] + first);
       const V low = hh::Set(d, beam.inverse_low[axis]);
       if constexpr (is_single) {
-        enters = hh::Max(enters, hh::Mul(front, low));
-        leaves = hh::Min(leaves, hh::Mul(back, low));
+        const V offset = hh::Set(d, beam.front[axis]);
+        enters = hh::Max(enters, hh::MulSub(from, low, offset));
+        leaves = hh::Min(leaves, hh::MulSub(to, low, offset));
       } else {
+        const V front = hh::Sub(from, hh::Set(d, beam.front[axis]));
+        const V back = hh::Sub(to, hh::Set(d, beam.back[axis]));
         const V high = hh::Set(d, beam.inverse_high[axis]);
         enters = hh::Max(enters, hh::Min(hh::Mul(front, low), hh::Mul(front, high)));
         leaves = hh::Min(leaves, hh::Max(hh::Mul(back, low), hh::Mul(back, high)));
@@ -143,15 +146,14 @@ HWY_INLINE bool find_conjunctions(const BoxTree& tree, const Beam& beam, Met& me
   met.nodes[0] = 0;
   std::size_t node_count = 1;  // these stay in registers
   std::size_t conjunction_count = 0;
-  bool are_few = true;
   const BoxNode* const nodes = tree.nodes.data();
-  for (std::size_t next = 0; next < node_count && are_few; ++next) {
+  for (std::size_t next = 0; next < node_count; ++next) {
     add_boxes<is_single>(nodes[met.nodes[next]], beam, met, node_count, conjunction_count);
-    are_few = node_count <= Met::most_nodes && conjunction_count <= Cell::most_slots;
+    if (node_count > Met::most_nodes || conjunction_count > Cell::most_slots) break;
   }
   met.node_count = node_count;
   met.conjunction_count = conjunction_count;
-  return are_few;
+  return node_count <= Met::most_nodes && conjunction_count <= Cell::most_slots;
 }
 
 /// One cell's worth of surfaces, and the tree's value over them.

@@ -95,18 +95,46 @@ struct SortedEvents {
   /// An event's place is how many come before it.
   HWY_INLINE void sort(LineEvents& events) {
     const SlotLanes d;
+    constexpr std::size_t few = 2 * hh::MaxLanes(SlotLanes());
+    const auto never = hh::Inf(d);
+    hh::StoreU(never, d, events.at + events.count);
+    hh::StoreU(never, d, events.at + events.count + hh::Lanes(d));
+    if (events.count > few) return sort_many(events);
+    for (std::size_t i = 0; i < few; i += hh::Lanes(d)) hh::StoreU(hh::NaN(d), d, at + i);
+    const auto low = hh::LoadU(d, events.at), high = hh::LoadU(d, events.at + hh::Lanes(d));
+    for (std::size_t i = 0; i < events.count; ++i) {
+      const auto event = hh::Set(d, events.at[i]);
+      const unsigned earlier = lane_bits(d, hh::Lt(low, event)) | lane_bits(d, hh::Lt(high, event)) << 8;
+      set(static_cast<std::size_t>(std::popcount(earlier)), events, i);
+    }
+  }
+
+ private:
+  HWY_INLINE void set(std::size_t place, const LineEvents& events, std::size_t i) {
+    at[place] = events.at[i];
+    slot[place] = events.slot[i];
+  }
+
+  HWY_NOINLINE void sort_many(const LineEvents& events) {
+    const SlotLanes d;
     const std::size_t lanes = hh::Lanes(d);
-    hh::StoreU(hh::Inf(d), d, events.at + events.count);
     for (std::size_t i = 0; i < events.count; i += lanes) hh::StoreU(hh::NaN(d), d, at + i);
     for (std::size_t i = 0; i < events.count; ++i) {
       const auto event = hh::Set(d, events.at[i]);
       std::size_t place = 0;
       for (std::size_t j = 0; j < events.count; j += lanes)
         place += static_cast<std::size_t>(std::popcount(lane_bits(d, hh::Lt(hh::LoadU(d, events.at + j), event))));
-      at[place] = events.at[i];
-      slot[place] = events.slot[i];
+      set(place, events, i);
     }
   }
+};
+
+/// An event at which the tree's value changes.
+struct LineEnd {
+  std::uint64_t slot;
+  std::uint64_t state;  ///< after it
+
+  HWY_INLINE bool rises() const { return ((state >> slot) & 1) != 0; }
 };
 
 }  // namespace HWY_NAMESPACE

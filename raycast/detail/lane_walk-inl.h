@@ -326,8 +326,7 @@ class Walk {
       pass();
       const bool value = gathered_value(D(), gathered_, state);
       // Whether it is an end nobody could foresee.
-      line_ends_[end_count].slot = static_cast<std::uint32_t>(sorted_.slot[i - 1]);
-      line_ends_[end_count].rises = ((state >> sorted_.slot[i - 1]) & 1) != 0;
+      line_ends_[end_count] = {sorted_.slot[i - 1], state};
       end_count += value != inside;
       inside = value;
     }
@@ -337,11 +336,30 @@ class Walk {
     crossings_.known = 0;
     if (starting) begin_in(true, starts_inside);
     now_inside_ = starts_inside;
+    const bool is_plain = !rounds_ && !wants_normals_;
     for (std::size_t k = 0; k < end_count; ++k) {
-      append(cell, true, line_ends_[k].slot, line_ends_[k].rises, !now_inside_);
+      const LineEnd end = line_ends_[k];
+      if (is_plain) {
+        append_plain(end);
+      } else {
+        append(cell, true, end.slot, end.rises(), !now_inside_);
+      }
       now_inside_ = !now_inside_;
     }
     return true;
+  }
+
+  /// `append` of a single ray that departs from nothing, for what is wanted of most.
+  HWY_INLINE void append_plain(const LineEnd& end) {
+    const D d;
+    const Slot& slot = cells_.slots[gathered_.slots[end.slot]];
+    const Surface& surface = scene_.surfaces()[slot.surface];
+    M second, is_open;
+    const V tau = crossings_.tau(d, line_, surface, end.slot, false, end.rises(), second, is_open);
+    flagged_ |= is_open;
+    ends_->add(true, (line_.shift + tau) * line_.unit, slot.surface | std::uint64_t{second} << 32,
+               slot.leaf | std::uint64_t{slot.look} << 32);
+    ++count_;
   }
 
   /// Two surfaces flip within slack of each other: it does not matter in which order if the value is the same in
@@ -435,10 +453,6 @@ class Walk {
   CellCrossings<D> crossings_;
   Gathered gathered_;
   // Of a single ray that gathers:
-  struct LineEnd {
-    std::uint32_t slot;
-    bool rises;
-  };
   SortedEvents sorted_;
   LineEnd line_ends_[LineEvents::most + 1];
   M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_, unrounded_, covered_lanes_;
