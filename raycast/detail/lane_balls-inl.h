@@ -86,37 +86,21 @@ HWY_INLINE BallRow ball_row(const BallLine& line, const Slot* const* slots) {
           hh::Gt(m.c[3], hh::Zero(d))};
 }
 
-/// A line as bricks ask for it.
-struct BrickLine {
-  alignas(32) double inverse[4];
-  alignas(32) double offset[4];
-  double apart;  ///< so far apart events are in order
-  unsigned falls;
-
-  BrickLine(const LineLanes<hn::Single<double>>& line, double a) : apart(a), falls(falling_axes(hn::Single<double>(), line, 0)) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      inverse[axis] = line.axis_inverse[axis];
-      offset[axis] = line.axis_offset[axis];
-    }
-    inverse[3] = 1;
-    offset[3] = 0;
-  }
-};
-
 /// Where a line comes into a brick and leaves it.
 struct BrickCrossings {
   double enters, leaves;
   unsigned enters_by, leaves_by;  ///< a bit for each axis along whose planes it may
 };
 
-HWY_INLINE BrickCrossings brick_crossings(const BrickLine& line, const Brick& brick) {
+/// `apart`: so far apart events are in order.
+HWY_INLINE BrickCrossings brick_crossings(const LineLanes<hn::Single<double>>& line, const Brick& brick, double apart) {
   const SlotLanes d;
   using V = hh::Vec<SlotLanes>;
   constexpr std::size_t lanes = hh::MaxLanes(SlotLanes());
   V near[4 / lanes], far[4 / lanes];
   V last_near = hh::Neg(hh::Inf(d)), first_far = hh::Inf(d);
   for (std::size_t i = 0; i < 4; i += lanes) {
-    const V inverse = hh::Load(d, line.inverse + i), offset = hh::Load(d, line.offset + i);
+    const V inverse = hh::LoadU(d, line.axis_inverse + i), offset = hh::LoadU(d, line.axis_offset + i);
     const V a = hh::MulSub(hh::Load(d, brick.lower + i), inverse, offset);
     const V b = hh::MulSub(hh::Load(d, brick.upper + i), inverse, offset);
     near[i / lanes] = hh::Min(a, b);
@@ -126,11 +110,11 @@ HWY_INLINE BrickCrossings brick_crossings(const BrickLine& line, const Brick& br
   }
   last_near = hh::MaxOfLanes(d, last_near);
   first_far = hh::MinOfLanes(d, first_far);
-  const V apart = hh::Set(d, line.apart);
+  const V least_enters = hh::Sub(last_near, hh::Set(d, apart)), most_leaves = hh::Add(first_far, hh::Set(d, apart));
   BrickCrossings crossings{hh::GetLane(last_near), hh::GetLane(first_far), 0, 0};
   for (std::size_t i = 0; i < 4; i += lanes) {
-    crossings.enters_by |= lane_bits(d, hh::Ge(near[i / lanes], hh::Sub(last_near, apart))) << i;
-    crossings.leaves_by |= lane_bits(d, hh::Le(far[i / lanes], hh::Add(first_far, apart))) << i;
+    crossings.enters_by |= lane_bits(d, hh::Ge(near[i / lanes], least_enters)) << i;
+    crossings.leaves_by |= lane_bits(d, hh::Le(far[i / lanes], most_leaves)) << i;
   }
   return crossings;
 }

@@ -229,6 +229,7 @@ class Gatherer {
 
   /// Between two places, of lanes of one direction's signs: how many surfaces there are; nothing if too many.
   HWY_INLINE std::optional<std::size_t> gather(V from, V to, M lanes, unsigned signs) {
+    signs_ = signs;
     Beam beam;
     set_beam(D(), line_, lanes, signs, from, to, beam);
     const bool are_few = find_conjunctions<hn::is_single<D>>(cells_.boxes, beam, met_);
@@ -365,15 +366,14 @@ class Gatherer {
   HWY_INLINE bool add_brick(const Brick& brick, bool is_subtracted, const Stretch& stretch, std::size_t& count) {
     if constexpr (hn::is_single<D>) {
       const double apart = 2 * line_.slack;
-      const BrickLine line(line_, apart);
-      const BrickCrossings at = brick_crossings(line, brick);
+      const BrickCrossings at = brick_crossings(line_, brick, apart);
       if (at.enters > at.leaves + apart || at.enters > stretch.to || at.leaves < stretch.from) return true;
       if (!std::has_single_bit(at.enters_by) || !std::has_single_bit(at.leaves_by) || at.leaves <= at.enters + apart)
         return false;
       Gathered::Part part{0, 0, is_subtracted};
       const auto add = [&](double event, unsigned by, bool is_entry) {
         if (event < stretch.from || event > stretch.to) return;
-        const bool is_lower = ((line.falls & by) == 0) == is_entry;
+        const bool is_lower = ((signs_ & by) == 0) == is_entry;
         const std::uint32_t slot = (is_lower ? brick.lower_slot : brick.upper_slot)[std::countr_zero(by)];
         const bool wants_positive = is_lower == (cells_.slots[slot].c[1] > 0);
         const std::uint64_t bit = std::uint64_t{1} << count;
@@ -468,6 +468,7 @@ class Gatherer {
   Events<D>& events_;
   Gathered& gathered_;
   PacketCounts& counts_;
+  unsigned signs_ = 0;  ///< of the lines' directions: the axes along which they fall
   Met met_;
 };
 

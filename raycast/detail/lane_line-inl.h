@@ -85,8 +85,9 @@ struct LineLanes {
   V near_error;  ///< a bound for what each coordinate of `near` is off
 
   Triples<V> walk_near, walk_direction;  ///< in the axes of the cells
-  V axis_inverse[3];                     ///< of walk_direction; huge where it is zero
-  V axis_offset[3];                      ///< walk_near times that
+  // Of single rays bricks load the fourth as well, as if it were an axis along which they are endless.
+  V axis_inverse[4];     ///< of walk_direction; huge where it is zero
+  V axis_offset[4];      ///< walk_near times that
   V across_inverse[3];   ///< 1 / (direction_squared less the axis' own part); 0 for rays nearly along the axis
   bool any_is_steep[3];  ///< some lane is nearly along the axis
   V across_size[3];      ///< then: the root of that part, for these rays; else -1
@@ -97,6 +98,11 @@ struct LineLanes {
   V end_error;           ///< four times what the end is off
   V slack;               ///< four times what an event with a plane square to an axis may be off
   M valid;
+
+  LineLanes() {
+    axis_inverse[3] = hn::Set(D(), 1.0);
+    axis_offset[3] = hn::Zero(D());
+  }
 };
 
 /// Where the line is nearest the frame's center, or starts if that is near.
