@@ -59,7 +59,7 @@ CellBuilder::CellBuilder(const CellGround& ground, std::size_t leaves)
   answer_.assign(surfaces, Sides::both);
   seen_in_.assign(surfaces, 0);
   data_.cells.resize(2);  // the two constants
-  data_.cells[1].value = true;
+  data_.cells[1].table = 1;
 }
 
 CellData CellBuilder::build(NodeId node, const Formula& whole) {

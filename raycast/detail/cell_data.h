@@ -68,11 +68,13 @@ struct Cell {
   std::uint32_t first_step = 0;
   std::uint16_t step_count = 0;
   std::uint8_t slot_count = 0;
-  std::uint8_t plane_count = 0;  ///< the first slots, whose surfaces a line crosses but once
-  bool may_have_twins = false;   ///< a line may meet some of its surfaces twice within slack, and be certain of it
-  bool value = false;            ///< of a cell that no surface crosses
-  bool is_undecided = false;     ///< rays through it are left to the caster
-  bool is_far = false;           ///< infinite, crossed by planes alone
+  std::uint8_t plane_count = 0;       ///< the first slots, whose surfaces a line crosses but once
+  std::uint8_t axis_plane_count = 0;  ///< the first of these: square to an axis of the cells
+  bool may_have_twins = false;        ///< a line may meet some of its surfaces twice within slack, and be certain of it
+  bool is_undecided = false;          ///< rays through it are left to the caster
+  bool is_far = false;                ///< infinite, crossed by planes alone
+
+  bool value() const { return (table & 1) != 0; }  ///< of a cell that no surface crosses
 };
 
 /// By what lanes know how certain events with planes square to an axis of the cells are, and with cylinders along one
@@ -89,9 +91,9 @@ struct alignas(64) BoxNode {
   static constexpr std::size_t width = 8;
   // Bits of `child`. Without any of them the rest is a node.
   static constexpr std::uint32_t conjunction = 0x80000000u;  ///< the rest is the conjunction in the box
-  static constexpr std::uint32_t ball = 0xc0000000u;         ///< both: the rest is the slot of a sphere, whose inside is
-                                                             ///< the conjunction, and which no other one has
-  static constexpr std::uint32_t subtracted = 0x20000000u;   ///< and this: what is in the sphere is
+  static constexpr std::uint32_t ball = 0xc0000000u;        ///< both: the rest is the slot of a sphere, whose inside is
+                                                            ///< the conjunction, and which no other one has
+  static constexpr std::uint32_t subtracted = 0x20000000u;  ///< and this: what is in the sphere is
   static constexpr std::uint32_t most_slots = subtracted;
 
   float side[2][3][width];  ///< the lower ones, and the upper ones, by axis

@@ -157,6 +157,7 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const LaneSurface& surface = ground_.surfaces[surfaces[i].index()];
     if (is_plane(surface.kind)) ++cell.plane_count;
+    if (surface.kind < LaneSurface::Kind::plane) ++cell.axis_plane_count;
     if (is_round(surface.kind)) cell.slack = round_slack;
     if (may_have_twins(surface)) cell.may_have_twins = true;
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);

@@ -212,10 +212,10 @@ class Walk {
     // Whoever comes in from beyond comes from outside: only a start within the cells needs to be looked at.
     begun_ = hn::Or(begun_, active);
     if (cell.slot_count == 0) {
-      if (!hn::AllFalse(d, starting)) begin_in(starting, cell.value ? starting : hn::Xor(starting, starting));
+      if (!hn::AllFalse(d, starting)) begin_in(starting, cell.value() ? starting : hn::Xor(starting, starting));
       // No surface is near the cell. The state on the way in must agree: it does, unless something is wrong.
       covered_lanes_ = hn::AndNot(active, covered_lanes_);
-      return flag(cell.value ? hn::AndNot(now_inside_, active) : hn::And(now_inside_, active));
+      return flag(cell.value() ? hn::AndNot(now_inside_, active) : hn::And(now_inside_, active));
     }
     counts_.surface_tests += cell.slot_count;
     cell_events(d, scene_, line_, cells_, cell, departures_, events_);
