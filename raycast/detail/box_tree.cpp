@@ -312,9 +312,7 @@ std::size_t Hierarchy::best_share(const Branch& branch, std::size_t places) cons
 // Those of its halves are known.
 void Hierarchy::set_costs(Branch& branch) const {
   if (branch.halves == 0) return;
-  const auto cost_in = [&](std::size_t places) {
-    return cost_of_halves(branch, places, best_share(branch, places));
-  };
+  const auto cost_in = [&](std::size_t places) { return cost_of_halves(branch, places, best_share(branch, places)); };
   branch.costs[0] = branch.range.box.area() + cost_in(BoxNode::width);
   for (std::size_t places = 2; places <= BoxNode::width; ++places)
     branch.costs[places - 1] = std::min(branch.costs[places - 2], cost_in(places));

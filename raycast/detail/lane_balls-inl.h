@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where one line crosses many spheres, a sphere a lane, and a brick, an axis a lane. Compiled once for each instruction set; included by lanes.cpp
-// only.
+// Where one line crosses many spheres, a sphere a lane, and a brick, an axis a lane. Compiled once for each instruction
+// set; included by lanes.cpp only.
 #if defined(CSGCAST_LANE_BALLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_BALLS_INL_H
 #undef CSGCAST_LANE_BALLS_INL_H

@@ -259,7 +259,8 @@ class Gatherer {
       if ((id & BoxNode::ball) == BoxNode::ball) {
         if (count == Cell::most_slots) return std::nullopt;
         const std::uint32_t slot = id & (BoxNode::most_slots - 1);
-        count = add_simple({slot, cells_.slots[slot].c[5] <= 0, false}, (id & BoxNode::subtracted) != 0, stretch, count);
+        count =
+            add_simple({slot, cells_.slots[slot].c[5] <= 0, false}, (id & BoxNode::subtracted) != 0, stretch, count);
         continue;
       }
       const Conjunction& conjunction = tree.conjunctions[id - BoxNode::conjunction];
@@ -330,8 +331,7 @@ class Gatherer {
     auto open = hh::MaskFromVec(hh::Zero(d));
     for (std::size_t k = 0; k < count; k += lanes) {
       const Slot* slots[8];
-      for (std::size_t i = 0; i < lanes; ++i)
-        slots[i] = &cells_.slots[balls[k + i] & (BoxNode::most_slots - 1)];
+      for (std::size_t i = 0; i < lanes; ++i) slots[i] = &cells_.slots[balls[k + i] & (BoxNode::most_slots - 1)];
       const BallRow row = ball_row(line, slots);
       const auto is_there = hh::FirstN(d, count - k);
       open = hh::Or(open, hh::And(is_there, row.is_open));

@@ -82,7 +82,12 @@ class EndLog<hn::Single<double>> {
  public:
   /// `start`: t of rays that begin inside.
   EndLog(const LaneLists& lists, double start)
-      : intervals_(*lists.intervals), faces_(lists.faces), start_(start), base_(2 * intervals_.size()), first_(base_), next_(base_) {
+      : intervals_(*lists.intervals),
+        faces_(lists.faces),
+        start_(start),
+        base_(2 * intervals_.size()),
+        first_(base_),
+        next_(base_) {
     make_room();
   }
   EndLog(const EndLog&) = delete;

@@ -258,6 +258,10 @@ class Walk {
     V at = hn::IfThenElse(covered_lanes_, covered_, hn::Add(from, slack));
     covered_ = hn::IfThenElse(active, hn::Max(limit, at), covered_);
     covered_lanes_ = hn::Or(covered_lanes_, active);
+    if constexpr (hn::is_single<D>) {
+      if (!active) return;
+      if (wanted == Wanted::all && sweep_few(cell, at, limit)) return;
+    }
     V next = next_event<uses_boxes>(d, events_, cell, at);
     // The lanes with an event to look at. Close to the end of what is asked nothing is certain.
     const auto due = [&](M lanes) {
@@ -293,6 +297,51 @@ class Walk {
       next = next_event<uses_boxes>(d, events_, cell, at);
       todo = due(hn::And(todo, live_));
     }
+  }
+
+  /// The same of a single ray with few events ahead, as far apart as two of their bounds; false, and nothing done, if
+  /// they are not like that.
+  HWY_INLINE bool sweep_few(const Cell& cell, double at, double limit) {
+    constexpr std::size_t few = 6;
+    const double apart = 2 * events_.slack;
+    const double beyond = limit + apart;
+    double place[Cell::most_slots * 2];
+    std::uint8_t slot[Cell::most_slots * 2];
+    std::size_t count = 0;
+    U state = events_.before;
+    const auto pass = [&](double event, std::size_t i) {
+      const bool is_ahead = event > at;
+      state ^= std::uint64_t{!is_ahead} << i;
+      place[count] = event;
+      slot[count] = static_cast<std::uint8_t>(i);
+      count += is_ahead & (event <= beyond);
+    };
+    for (std::size_t i = 0; i < cell.slot_count; ++i) pass(events_.first[i], i);
+    for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i) pass(events_.second[i], i);
+    if (count > few) return false;
+    for (std::size_t i = 1; i < count; ++i) {
+      for (std::size_t k = i; k > 0 && place[k] < place[k - 1]; --k) {
+        std::swap(place[k], place[k - 1]);
+        std::swap(slot[k], slot[k - 1]);
+      }
+    }
+    const double last = line_.ends ? line_.end - (events_.slack + line_.end_error) : limit;
+    bool are_apart = true;
+    for (std::size_t i = 1; i < count; ++i) are_apart &= place[i] - place[i - 1] > apart;
+    std::size_t due = 0;
+    while (due < count && place[due] <= limit) ++due;
+    if (due == 0) return true;
+    if (!are_apart || place[due - 1] > last) return false;
+    if (certified && value_of(cell, state) != now_inside_) return false;
+    for (std::size_t i = 0; i < due && live_; ++i) {
+      const U flips = std::uint64_t{1} << slot[i];
+      state ^= flips;
+      const bool value = value_of(cell, state);
+      if (value == now_inside_) continue;
+      record(cell, true, flips, state);
+      now_inside_ = value;
+    }
+    return true;
   }
 
   /// `sweep`, and `start` before it, of a single ray whose events are gathered, if these are as far apart as two of
