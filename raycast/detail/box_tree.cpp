@@ -2,12 +2,12 @@
 #include "raycast/detail/box_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "raycast/detail/box_hierarchy.h"
 #include "raycast/detail/conjunctions.h"
 
 namespace csgcast::detail {
@@ -29,40 +29,12 @@ constexpr double least_gain = 1.1;
 // Boxes are so much wider that neither their rounding nor that of rays in single precision loses any line.
 constexpr double widening = 0x1p-18;
 
-using Float3 = std::array<float, 3>;
-
-struct FloatBox {
-  Float3 lower, upper;
-
-  void add(const FloatBox& other) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      lower[axis] = std::min(lower[axis], other.lower[axis]);
-      upper[axis] = std::max(upper[axis], other.upper[axis]);
-    }
-  }
-  float area() const {
-    const float x = upper[0] - lower[0], y = upper[1] - lower[1], z = upper[2] - lower[2];
-    return x * y + y * z + z * x;
-  }
-};
-
-// Beyond every coordinate, with a lower side above the upper one.
-constexpr FloatBox nothing{{1000, 1000, 1000}, {-1000, -1000, -1000}};
-
 double cost_of_test(LaneSurface::Kind kind) {
   return kind < LaneSurface::Kind::plane ? cost_of_axis_plane
          : is_plane(kind)                ? cost_of_plane
          : is_round(kind)                ? cost_of_round
                                          : cost_of_quadric;
 }
-
-// A conjunction while the hierarchy is made.
-struct Item {
-  FloatBox box;
-  std::uint32_t index = 0;
-
-  float middle(std::size_t axis) const { return box.lower[axis] + box.upper[axis]; }
-};
 
 // Whose faces a surface makes.
 struct Owner {
@@ -91,7 +63,8 @@ std::vector<Owner> owners_of(const CellGround& ground, const Conjunctions& all) 
 }
 
 // Adds the conjunctions in the given order, and gives each of their surfaces its slot.
-void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::span<const Item> order, CellData& data) {
+void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::span<const BoxedItem> order,
+                      CellData& data) {
   constexpr std::uint32_t none = 0xffffffffu;
   BoxTree& tree = data.boxes;
   const std::vector<Owner> owners = owners_of(ground, all);
@@ -113,7 +86,7 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
     }
     tree.sides.push_back(side);
   };
-  for (const Item& item : order) {
+  for (const BoxedItem& item : order) {
     const Conjunctions::Part& part = all.parts[item.index];
     Conjunction& conjunction = tree.conjunctions.emplace_back();
     conjunction.first = static_cast<std::uint32_t>(tree.sides.size());
@@ -169,216 +142,6 @@ void mark_bricks(const std::vector<Slot>& slots, BoxTree& tree) {
   }
 }
 
-// The hierarchy: halved by the surface area heuristic, and of the halves those are joined to nodes of eight that let
-// lines meet the fewest nodes.
-class Hierarchy {
- public:
-  Hierarchy(std::vector<Item> items, std::vector<BoxNode>& nodes) : items_(std::move(items)), nodes_(nodes) {}
-
-  void build();
-  // What the children count: in this order conjunctions that lie next to each other are near in memory.
-  const std::vector<Item>& order() const { return items_; }
-
- private:
-  struct Range {
-    std::size_t begin = 0, end = 0;
-    FloatBox box = nothing;
-
-    std::size_t size() const { return end - begin; }
-  };
-  // Of the binary tree: its two halves lie side by side, behind it.
-  struct Branch {
-    Range range;
-    std::uint32_t halves = 0;  // none: one item
-    // [i]: the area of all nodes below, if at most i + 1 of a node's places hold what is here.
-    std::array<float, BoxNode::width> costs{};
-  };
-  using Chosen = std::array<std::uint32_t, BoxNode::width>;
-  static constexpr std::size_t bins = 16;
-  struct Plane {
-    std::size_t axis = 0;
-    std::size_t bin = 0;
-    float cost = HUGE_VALF;
-  };
-
-  Range range_of(std::size_t begin, std::size_t end) const;
-  std::size_t halve(const Range& range);
-  static std::size_t bin_of(const Item& item, std::size_t axis, float low, float scale);
-  Plane best_plane(const Range& range, std::size_t axis, float low, float scale) const;
-  void make_branches();
-  float cost_of_halves(const Branch& branch, std::size_t places, std::size_t for_first) const;
-  std::size_t best_share(const Branch& branch, std::size_t places) const;
-  void set_costs(Branch& branch) const;
-  void choose(std::uint32_t branch, std::size_t places, Chosen& chosen, std::size_t& count) const;
-  void make_nodes();
-
-  std::vector<Item> items_;
-  std::vector<Branch> branches_;
-  std::vector<BoxNode>& nodes_;
-};
-
-Hierarchy::Range Hierarchy::range_of(std::size_t begin, std::size_t end) const {
-  Range range{begin, end, nothing};
-  for (std::size_t i = begin; i < end; ++i) range.box.add(items_[i].box);
-  return range;
-}
-
-std::size_t Hierarchy::bin_of(const Item& item, std::size_t axis, float low, float scale) {
-  return std::min(bins - 1, static_cast<std::size_t>((item.middle(axis) - low) * scale));
-}
-
-Hierarchy::Plane Hierarchy::best_plane(const Range& range, std::size_t axis, float low, float scale) const {
-  std::array<FloatBox, bins> boxes;
-  std::array<std::size_t, bins> counts{};
-  boxes.fill(nothing);
-  for (std::size_t i = range.begin; i < range.end; ++i) {
-    const std::size_t bin = bin_of(items_[i], axis, low, scale);
-    boxes[bin].add(items_[i].box);
-    ++counts[bin];
-  }
-  std::array<float, bins> below{};  // the cost of all bins before one
-  FloatBox box = nothing;
-  std::size_t count = 0;
-  for (std::size_t bin = 0; bin + 1 < bins; ++bin) {
-    box.add(boxes[bin]);
-    count += counts[bin];
-    below[bin + 1] = count == 0 ? HUGE_VALF : box.area() * static_cast<float>(count);
-  }
-  Plane best;
-  box = nothing;
-  count = 0;
-  for (std::size_t bin = bins - 1; bin > 0; --bin) {
-    box.add(boxes[bin]);
-    count += counts[bin];
-    const float cost = count == 0 ? HUGE_VALF : below[bin] + box.area() * static_cast<float>(count);
-    if (cost < best.cost) best = {axis, bin, cost};
-  }
-  return best;
-}
-
-// Sorts the items of a range into two parts, neither empty; returns where the second begins.
-std::size_t Hierarchy::halve(const Range& range) {
-  Float3 low{HUGE_VALF, HUGE_VALF, HUGE_VALF}, scale{};
-  Float3 high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
-  for (std::size_t i = range.begin; i < range.end; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], items_[i].middle(axis));
-      high[axis] = std::max(high[axis], items_[i].middle(axis));
-    }
-  }
-  Plane best;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float length = high[axis] - low[axis];
-    if (!(length > 1e-9f)) continue;
-    scale[axis] = static_cast<float>(bins) / length;
-    const Plane plane = best_plane(range, axis, low[axis], scale[axis]);
-    if (plane.cost < best.cost) best = plane;
-  }
-  if (best.bin == 0) return range.begin + range.size() / 2;  // all in one place
-  const auto first = items_.begin() + static_cast<std::ptrdiff_t>(range.begin);
-  const auto last = items_.begin() + static_cast<std::ptrdiff_t>(range.end);
-  const auto second = std::stable_partition(first, last, [&](const Item& item) {
-    return bin_of(item, best.axis, low[best.axis], scale[best.axis]) < best.bin;
-  });
-  return static_cast<std::size_t>(second - items_.begin());
-}
-
-void Hierarchy::make_branches() {
-  branches_.reserve(2 * items_.size());
-  branches_.push_back({range_of(0, items_.size()), 0, {}});
-  for (std::size_t i = 0; i < branches_.size(); ++i) {
-    const Range range = branches_[i].range;
-    if (range.size() < 2) continue;
-    branches_[i].halves = static_cast<std::uint32_t>(branches_.size());
-    const std::size_t middle = halve(range);
-    branches_.push_back({range_of(range.begin, middle), 0, {}});
-    branches_.push_back({range_of(middle, range.end), 0, {}});
-  }
-}
-
-float Hierarchy::cost_of_halves(const Branch& branch, std::size_t places, std::size_t for_first) const {
-  return branches_[branch.halves].costs[for_first - 1] + branches_[branch.halves + 1].costs[places - for_first - 1];
-}
-
-// How many of some places the first half should get.
-std::size_t Hierarchy::best_share(const Branch& branch, std::size_t places) const {
-  std::size_t best = 1;
-  for (std::size_t share = 2; share < places; ++share) {
-    if (cost_of_halves(branch, places, share) < cost_of_halves(branch, places, best)) best = share;
-  }
-  return best;
-}
-
-// Those of its halves are known.
-void Hierarchy::set_costs(Branch& branch) const {
-  if (branch.halves == 0) return;
-  const auto cost_in = [&](std::size_t places) { return cost_of_halves(branch, places, best_share(branch, places)); };
-  branch.costs[0] = branch.range.box.area() + cost_in(BoxNode::width);
-  for (std::size_t places = 2; places <= BoxNode::width; ++places)
-    branch.costs[places - 1] = std::min(branch.costs[places - 2], cost_in(places));
-}
-
-// What the places of a node should hold of a branch, at most so many. Not deep: each time there are fewer places.
-void Hierarchy::choose(std::uint32_t index, std::size_t places, Chosen& chosen, std::size_t& count) const {
-  const Branch& branch = branches_[index];
-  while (places > 1 && branch.costs[places - 1] == branch.costs[places - 2]) --places;
-  if (places == 1) {
-    chosen[count++] = index;
-    return;
-  }
-  const std::size_t share = best_share(branch, places);
-  choose(branch.halves, share, chosen, count);
-  choose(branch.halves + 1, places - share, chosen, count);
-}
-
-void Hierarchy::make_nodes() {
-  struct Work {
-    std::uint32_t branch;
-    std::size_t node;
-  };
-  std::vector<Work> work{{0, 0}};
-  nodes_.emplace_back();
-  while (!work.empty()) {
-    const Work at = work.back();
-    work.pop_back();
-    Chosen chosen{};
-    std::size_t count = 0;
-    if (const std::uint32_t halves = branches_[at.branch].halves; halves != 0) {
-      const std::size_t share = best_share(branches_[at.branch], BoxNode::width);
-      choose(halves, share, chosen, count);
-      choose(halves + 1, BoxNode::width - share, chosen, count);
-    } else {
-      chosen[count++] = at.branch;
-    }
-    for (std::size_t k = 0; k < BoxNode::width; ++k) {
-      const bool is_empty = k >= count;
-      const Branch* const part = is_empty ? nullptr : &branches_[chosen[k]];
-      const FloatBox& box = is_empty ? nothing : part->range.box;
-      std::uint32_t child = 0;
-      if (!is_empty && part->halves == 0) {
-        child = BoxNode::conjunction | static_cast<std::uint32_t>(part->range.begin);
-      } else if (!is_empty) {
-        child = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.emplace_back();
-        work.push_back({chosen[k], child});
-      }
-      BoxNode& node = nodes_[at.node];
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.side[0][axis][k] = box.lower[axis];
-        node.side[1][axis][k] = box.upper[axis];
-      }
-      node.child[k] = child;
-    }
-  }
-}
-
-void Hierarchy::build() {
-  make_branches();
-  // Halves come behind what they are halves of.
-  for (std::size_t i = branches_.size(); i-- > 0;) set_costs(branches_[i]);
-  make_nodes();
-}
-
 std::optional<FloatBox> widened(const CellBox& box) {
   FloatBox result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -391,9 +154,9 @@ std::optional<FloatBox> widened(const CellBox& box) {
 
 // Cauchy: of the lines through a convex body those that meet one in it are as many as their areas say.
 double cost_of_tests(const CellGround& ground, const Conjunctions& all, const CellBox& everything,
-                     std::span<const Item> items) {
+                     std::span<const BoxedItem> items) {
   double cost = 0;
-  for (const Item& item : items) {
+  for (const BoxedItem& item : items) {
     const Conjunctions::Part& part = all.parts[item.index];
     double own = part.count > 1 ? 4 * cost_of_event : 2 * cost_of_event;
     for (const Conjunctions::Side& side : std::span(all.sides).subspan(part.first, part.count))
@@ -422,7 +185,7 @@ void add_box_tree(const CellGround& ground, const Formula& whole, CellData& data
   if (data.is_empty || data.reaches_beyond || ground.scene.leaves().size() < fewest_conjunctions) return;
   const std::optional<Conjunctions> all = conjunctions_of(ground, whole, inflated(data.box));
   if (!all || all->parts.size() < fewest_conjunctions) return;
-  std::vector<Item> items;
+  std::vector<BoxedItem> items;
   for (std::size_t i = 0; i < all->parts.size(); ++i) {
     const std::optional<FloatBox> box = widened(all->parts[i].box);
     if (box) items.push_back({*box, static_cast<std::uint32_t>(i)});
@@ -432,7 +195,7 @@ void add_box_tree(const CellGround& ground, const Formula& whole, CellData& data
   double cost = cost_of_tests(ground, *all, data.box, items);
   if (cost > most) return;
   std::vector<BoxNode> nodes;
-  Hierarchy hierarchy(std::move(items), nodes);
+  BoxHierarchy hierarchy(std::move(items), nodes);
   hierarchy.build();
   cost += cost_of_nodes(nodes, data.box);
   if (cost > most) return;

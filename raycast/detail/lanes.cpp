@@ -20,10 +20,12 @@
 
 #include "csg/vector_lanes-inl.h"
 #include "raycast/detail/lane_line-inl.h"
-// Each builds on those before it.
-#include "raycast/detail/lane_quadratic-inl.h"
-// The blank comments keep the order.
+// Each builds on those before it: the blank comments keep the order.
 #include "raycast/detail/lane_events-inl.h"
+//
+#include "raycast/detail/lane_quadratic-inl.h"
+//
+#include "raycast/detail/lane_cell-inl.h"
 //
 #include "raycast/detail/lane_order-inl.h"
 //
@@ -38,6 +40,10 @@
 #include "raycast/detail/lane_balls-inl.h"
 //
 #include "raycast/detail/lane_boxes-inl.h"
+//
+#include "raycast/detail/lane_gather-inl.h"
+//
+#include "raycast/detail/lane_sweep-inl.h"
 //
 #include "raycast/detail/lane_walk-inl.h"
 
