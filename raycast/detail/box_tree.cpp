@@ -21,6 +21,7 @@ constexpr double cost_of_node = 1.5;
 constexpr double cost_of_axis_plane = 1;
 constexpr double cost_of_plane = 6;
 constexpr double cost_of_round = 4;
+constexpr double cost_of_revolved = 5;
 constexpr double cost_of_quadric = 8;
 constexpr double cost_of_event = 1;
 // Boxes must be cheaper by so much.
@@ -33,6 +34,7 @@ double cost_of_test(LaneSurface::Kind kind) {
   return kind < LaneSurface::Kind::plane ? cost_of_axis_plane
          : is_plane(kind)                ? cost_of_plane
          : is_round(kind)                ? cost_of_round
+         : is_revolved(kind)             ? cost_of_revolved
                                          : cost_of_quadric;
 }
 
@@ -77,7 +79,8 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
       side.slot = static_cast<std::uint32_t>(data.slots.size());
       const LaneSurface& shape = ground.surfaces[surface];
       data.slots.emplace_back(shape, from.surface, owners[surface].leaf, owners[surface].look);
-      if (is_round(shape.kind)) tree.slack = round_slack;
+      if (is_round(shape.kind)) tree.slack = std::max(tree.slack, round_slack);
+      if (is_revolved(shape.kind)) tree.slack = revolved_slack;
       if (may_have_twins(shape)) tree.may_have_twins = true;
     } else {
       BoxedSide& first = tree.sides[first_side[surface]];

@@ -22,6 +22,9 @@ constexpr double greatest_slack = 0x1p-32;
 /// Slack that covers every sphere, and cylinder along an axis, whose discriminant is above its threshold.
 constexpr double round_slack = 0x1p-36;
 
+/// Slack that covers other quadrics about an axis where they are certain.
+constexpr double revolved_slack = 0x1p-33;
+
 /// A node of the kd-tree: the child below the split follows it.
 struct CellNode {
   static constexpr std::uint32_t no_axis = 3;

@@ -158,7 +158,8 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
     const LaneSurface& surface = ground_.surfaces[surfaces[i].index()];
     if (is_plane(surface.kind)) ++cell.plane_count;
     if (surface.kind < LaneSurface::Kind::plane) ++cell.axis_plane_count;
-    if (is_round(surface.kind)) cell.slack = round_slack;
+    if (is_round(surface.kind)) cell.slack = std::max(cell.slack, round_slack);
+    if (is_revolved(surface.kind)) cell.slack = revolved_slack;
     if (may_have_twins(surface)) cell.may_have_twins = true;
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
   }

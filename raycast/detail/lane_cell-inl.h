@@ -67,6 +67,14 @@ HWY_INLINE void add_events(D d, const Scene& scene, const LineLanes<D>& line, co
     case Kind::sphere:
       sphere_events(d, line, surface, departing, departures, i, events);
       break;
+    case Kind::revolved_x:
+    case Kind::revolved_y:
+    case Kind::revolved_z:
+      if (departures == nullptr) {
+        revolved_events(d, line, surface, axis_of(surface.kind), i, events);
+        break;
+      }
+      [[fallthrough]];
     default:
       quadric_events(d, line, scene.surfaces()[id], departing, departures, i, events);
   }

@@ -159,6 +159,74 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   set_before(events, i, hn::Or(hn::And(departing, a_is_positive), hn::AndNot(departing, positive_before)));
 }
 
+/// A quadric about a line along an axis that is neither a sphere nor a cylinder, by few constants.
+template <class D>
+HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadric, std::size_t axis, std::size_t i,
+                                Events<D>& events) {
+  using V = hn::Vec<D>;
+  const V near[3] = {line.near.x, line.near.y, line.near.z};
+  const V along[3] = {line.direction.x, line.direction.y, line.direction.z};
+  const auto set = [&](double value) { return hn::Set(d, value); };
+  const auto of_three = [&](auto&& part) {
+    return Triples<V>{part((axis + 1) % 3), part((axis + 2) % 3), part(axis)};
+  };
+  // Across the axis first, then along it.
+  const Triples<V> v = of_three([&](std::size_t k) { return hn::Sub(near[k], set(quadric.c[k])); });
+  const Triples<V> e = of_three([&](std::size_t k) { return along[k]; });
+  const V middle = hn::Mul(hn::Neg(fused_dot(v, e)), line.inverse_squared);
+  const Triples<V> q{hn::MulAdd(middle, e.x, v.x), hn::MulAdd(middle, e.y, v.y), hn::MulAdd(middle, e.z, v.z)};
+  // f = a s² + 2 b s + c about the point of the line that is nearest to the center.
+  const V kappa = set(-quadric.c[3]);
+  const V stretched_e = hn::Mul(kappa, e.z);
+  const V a = hn::MulAdd(stretched_e, e.z, hn::MulAdd(e.x, e.x, hn::Mul(e.y, e.y)));
+  const V b = hn::MulAdd(stretched_e, q.z, hn::MulAdd(q.x, e.x, hn::Mul(q.y, e.y)));
+  const V c = hn::Sub(hn::MulAdd(hn::Mul(kappa, q.z), q.z, hn::MulAdd(q.x, q.x, hn::Mul(q.y, q.y))), set(quadric.c[4]));
+  const V bb = hn::Mul(b, b);
+  const V ac = hn::Mul(a, c);
+  const V discriminant = hn::Sub(bb, ac);
+  const V zero = hn::Zero(d);
+  const V abs_a = hn::Abs(a);
+  // What f is off within reach, at s.
+  constexpr double u = 0x1p-53;
+  const double unit = u * std::fmax(1, std::fabs(quadric.c[3]));
+  const V at_middle = hn::MulAdd(set(192 * unit), longest(q), set(std::fabs(quadric.c[5])));
+  const V reach = set(4.0);
+  const auto off_at = [&](V s) {
+    const V size = hn::Min(hn::Abs(s), reach);
+    return hn::MulAdd(hn::MulAdd(set(64 * unit), size, set(512 * unit)), size, at_middle);
+  };
+  const V magnitude = hn::Add(bb, hn::Abs(ac));
+  const V most_off = hn::Mul(set(1.02), hn::MulAdd(off_at(reach), abs_a, hn::Mul(set(8 * u), magnitude)));
+  const auto has_none = hn::Lt(hn::Add(discriminant, most_off), zero);
+  const V root = hn::Sqrt(hn::Max(discriminant, set(0x1p-200)));
+  const auto falls = hn::Lt(b, zero);
+  const V flip = hn::IfThenElseZero(falls, set(-0.0));
+  const V sum = hn::Neg(hn::Add(b, hn::Xor(root, flip)));
+  const V tiny = set(1e-100);
+  const V safe_a = hn::IfThenElse(hn::Lt(abs_a, tiny), tiny, a);
+  const V inverse = hn::Div(set(1.0), hn::Mul(sum, safe_a));
+  const V at_near = hn::Mul(c, hn::Mul(safe_a, inverse));
+  const V at_far = hn::Mul(sum, hn::Mul(sum, inverse));
+  const auto far_is_out = hn::Gt(hn::Abs(sum), hn::Mul(set(4.01), hn::Add(abs_a, set(64 * unit))));
+  // Each crossing is off by what f is, over its slope there.
+  const auto is_close = [&](V s) { return hn::Le(hn::Mul(off_at(s), set(0x1p36)), root); };
+  const auto far_is_sound = hn::And(hn::Gt(abs_a, set(128 * unit)), is_close(at_far));
+  const auto is_sound = hn::And(hn::And(hn::Gt(discriminant, hn::Mul(set(0x1p-13), magnitude)),
+                                        hn::Ge(root, hn::Mul(set(0x1p-30), abs_a))),
+                                hn::And(is_close(at_near), hn::Or(far_is_out, far_is_sound)));
+  const V never = hn::Inf(d);
+  const V near_tau = hn::Add(middle, at_near);
+  const V far_tau = hn::Add(middle, at_far);
+  const V lower = hn::IfThenElse(far_is_out, near_tau, hn::Min(near_tau, far_tau));
+  const V upper = hn::IfThenElse(far_is_out, never, hn::Max(near_tau, far_tau));
+  events.first[i] = hn::IfThenElse(has_none, never, lower);
+  events.second[i] = hn::IfThenElse(has_none, never, upper);
+  const auto before_two = hn::Or(hn::And(far_is_out, falls), hn::AndNot(far_is_out, hn::Gt(a, zero)));
+  const auto before = hn::Or(hn::And(has_none, hn::Gt(c, zero)), hn::AndNot(has_none, before_two));
+  set_before(events, i, quadric.c[5] > 0 ? before : hn::Not(before));
+  flag(events, hn::AndNot(has_none, hn::Not(is_sound)));
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace csgcast::detail
 HWY_AFTER_NAMESPACE();

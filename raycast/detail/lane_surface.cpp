@@ -116,6 +116,29 @@ LaneSurface cylinder(const CellForm& form, bool is_turned, std::size_t axis) {
   return lane;
 }
 
+// x² + y² - κ z² = ρ from a center, and the same along the other axes: cones, hyperboloids, spheroids.
+LaneSurface revolved(const Surface& surface, std::size_t axis) {
+  const auto& k = surface.local;
+  LaneSurface lane;
+  const double a = k[Form::xx + (axis + 1) % 3];
+  const double b = k[Form::xx + axis];
+  if (surface.is_mixed || a == 0 || b == 0 || k[Form::xx + (axis + 2) % 3] != a) return lane;
+  const double kappa = -b / a;
+  Vector to_center = (-0.5 / a) * Vector{k[Form::x], k[Form::y], k[Form::z]};
+  to_center[axis] = -0.5 / b * k[Form::x + axis];
+  const Vector center = surface.center + to_center;
+  if (!(std::fabs(kappa) < 16) || !(longest(to_center) < 1) || !(longest(center) < 1)) return lane;
+  const double along = to_center[axis] * to_center[axis];
+  const double across = dot(to_center, to_center) - along;
+  const double constant = k[Form::one] / a;
+  const double rho = across - kappa * along - constant;
+  const double size = across + std::fabs(kappa) * along + std::fabs(constant);
+  const double off = 32 * u * size + 4 * u * std::fabs(rho) + 0x1p-84;
+  lane.kind = static_cast<LaneSurface::Kind>(static_cast<std::size_t>(LaneSurface::Kind::revolved_x) + axis);
+  lane.c = {center.x, center.y, center.z, kappa, rho, std::copysign(off, a)};
+  return lane;
+}
+
 }  // namespace
 
 bool may_have_twins(const LaneSurface& surface) {
@@ -137,7 +160,12 @@ LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned) {
   }
   LaneSurface lane;
   // Reach is counted from centers within the frame's cube.
-  if (longest(surface.center) < 0.75) lane.kind = LaneSurface::Kind::quadric;
+  if (!(longest(surface.center) < 0.75)) return lane;
+  for (std::size_t axis = 0; turned == nullptr && axis < 3; ++axis) {
+    lane = revolved(surface, axis);
+    if (lane.kind != LaneSurface::Kind::undecided) return lane;
+  }
+  lane.kind = LaneSurface::Kind::quadric;
   return lane;
 }
 

@@ -21,6 +21,9 @@ struct LaneSurface {
     cylinder_y,
     cylinder_z,
     sphere,   ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
+    revolved_x,  ///< any other quadric about a line along an axis, x² + y² - κ z² = ρ from a center: c[0..2] center,
+    revolved_y,  ///< c[3] κ, c[4] ρ, c[5] what ρ is off at most, with the sign that the form has far from the axis
+    revolved_z,
     quadric,  ///< Surface has it
     undecided  ///< its doubles decide nothing
   };
@@ -35,10 +38,15 @@ constexpr bool is_axis_cylinder(LaneSurface::Kind kind) {
   return kind >= LaneSurface::Kind::cylinder_x && kind <= LaneSurface::Kind::cylinder_z;
 }
 constexpr bool is_round(LaneSurface::Kind kind) { return kind == LaneSurface::Kind::sphere || is_axis_cylinder(kind); }
-/// Of a plane square to an axis, or of a cylinder along one.
+constexpr bool is_revolved(LaneSurface::Kind kind) {
+  return kind >= LaneSurface::Kind::revolved_x && kind <= LaneSurface::Kind::revolved_z;
+}
+/// Of a plane square to an axis, of a cylinder along one, or of another quadric about one.
 constexpr std::size_t axis_of(LaneSurface::Kind kind) {
-  return static_cast<std::size_t>(kind) -
-         (is_plane(kind) ? std::size_t{0} : static_cast<std::size_t>(LaneSurface::Kind::cylinder_x));
+  const LaneSurface::Kind first = is_plane(kind)      ? LaneSurface::Kind::plane_x
+                                  : is_revolved(kind) ? LaneSurface::Kind::revolved_x
+                                                      : LaneSurface::Kind::cylinder_x;
+  return static_cast<std::size_t>(kind) - static_cast<std::size_t>(first);
 }
 
 /// Whether a line may meet the surface twice within slack of cells, and be certain of it.
