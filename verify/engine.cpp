@@ -94,7 +94,7 @@ std::vector<EngineKind> make_table() {
   };
   const std::vector<std::string_view> sets = PacketCaster::instruction_sets();
   for (const std::string_view set : sets) add(PacketCaster::Width::packet, set);
-  add(PacketCaster::Width::single, sets.front());
+  for (const std::string_view set : sets) add(PacketCaster::Width::single, set);
   return table;
 }
 

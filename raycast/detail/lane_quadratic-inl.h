@@ -160,6 +160,7 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
 }
 
 /// A quadric about a line along an axis that is neither a sphere nor a cylinder, by few constants.
+// long: one formula with the bounds of its parts
 template <class D>
 HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadric, std::size_t axis, std::size_t i,
                                 Events<D>& events) {
@@ -167,9 +168,7 @@ HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadr
   const V near[3] = {line.near.x, line.near.y, line.near.z};
   const V along[3] = {line.direction.x, line.direction.y, line.direction.z};
   const auto set = [&](double value) { return hn::Set(d, value); };
-  const auto of_three = [&](auto&& part) {
-    return Triples<V>{part((axis + 1) % 3), part((axis + 2) % 3), part(axis)};
-  };
+  const auto of_three = [&](auto&& part) { return Triples<V>{part((axis + 1) % 3), part((axis + 2) % 3), part(axis)}; };
   // Across the axis first, then along it.
   const Triples<V> v = of_three([&](std::size_t k) { return hn::Sub(near[k], set(quadric.c[k])); });
   const Triples<V> e = of_three([&](std::size_t k) { return along[k]; });
@@ -211,9 +210,9 @@ HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadr
   // Each crossing is off by what f is, over its slope there.
   const auto is_close = [&](V s) { return hn::Le(hn::Mul(off_at(s), set(0x1p36)), root); };
   const auto far_is_sound = hn::And(hn::Gt(abs_a, set(128 * unit)), is_close(at_far));
-  const auto is_sound = hn::And(hn::And(hn::Gt(discriminant, hn::Mul(set(0x1p-13), magnitude)),
-                                        hn::Ge(root, hn::Mul(set(0x1p-30), abs_a))),
-                                hn::And(is_close(at_near), hn::Or(far_is_out, far_is_sound)));
+  const auto is_sound = hn::And(
+      hn::And(hn::Gt(discriminant, hn::Mul(set(0x1p-13), magnitude)), hn::Ge(root, hn::Mul(set(0x1p-30), abs_a))),
+      hn::And(is_close(at_near), hn::Or(far_is_out, far_is_sound)));
   const V never = hn::Inf(d);
   const V near_tau = hn::Add(middle, at_near);
   const V far_tau = hn::Add(middle, at_far);

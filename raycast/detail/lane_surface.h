@@ -20,11 +20,11 @@ struct LaneSurface {
     cylinder_x,  ///< about a line along an axis: c[0..2] center, c[3] radius², c[4], c[5] as of a sphere
     cylinder_y,
     cylinder_z,
-    sphere,   ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
+    sphere,  ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
     revolved_x,  ///< any other quadric about a line along an axis, x² + y² - κ z² = ρ from a center: c[0..2] center,
     revolved_y,  ///< c[3] κ, c[4] ρ, c[5] what ρ is off at most, with the sign that the form has far from the axis
     revolved_z,
-    quadric,  ///< Surface has it
+    quadric,   ///< Surface has it
     undecided  ///< its doubles decide nothing
   };
 

@@ -89,6 +89,10 @@ std::optional<double> newton(const LineFrame& line, const CrossingView& crossing
   // Relative errors of the slope and of the division, and the curvature that one Newton step leaves out.
   const double slope_error = 8 * u * steepness * e;
   if (!(4 * slope_error < std::fabs(slope))) return std::nullopt;
+  // A quadratic rises at one of its roots and falls at the other. A step that is short beside the bend leads to the one
+  // that goes as the slope does: where both are near each other that may be the wrong one.
+  const bool rises = !crossing.found->positive_after(crossing.root);
+  if ((slope > 0) != rises || !(8 * bend * e * e * std::fabs(step) <= std::fabs(slope))) return std::nullopt;
   const double curvature = bend * e * e * step * step;
   const double error =
       2 * (value_error + curvature + std::fabs(step) * slope_error + 4 * u * std::fabs(value.high)) / std::fabs(slope);

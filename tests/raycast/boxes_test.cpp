@@ -20,7 +20,7 @@ namespace {
 
 Solid moved(Solid solid, Vector by) { return transformed(std::move(solid), translation(by)); }
 
-// Small solids all over the cube of side 2: balls, ellipsoids, lenses, rods.
+// Small solids all over the cube of side 2: balls, ellipsoids, lenses, rods, bricks.
 std::vector<Solid> crumbs(RandomSolids& random, std::size_t count, double size) {
   std::vector<Solid> result;
   for (std::size_t i = 0; i < count; ++i) {
@@ -30,6 +30,7 @@ std::vector<Solid> crumbs(RandomSolids& random, std::size_t count, double size) 
     if (i % 4 == 1) solid = ellipsoid({r, 0.7 * r, 0.4 * r});
     if (i % 4 == 2) solid = moved(sphere(r), {0.4 * r, 0, 0}) & moved(sphere(r), {-0.4 * r, 0, 0});
     if (i % 16 == 3) solid = cylinder(2 * r, 0.3 * r, 0.3 * r, Centering::centered);
+    if (i % 16 == 7) solid = box({r, 0.5 * r, 2 * r}, Centering::centered);
     result.push_back(moved(solid, {at.x, at.y, at.z}));
   }
   return result;
@@ -110,6 +111,42 @@ TEST_CASE("solids in boxes that share surfaces are the scalar caster's") {
   }
   check_all(compile(die(unite(voids))), 4);
   check_all(compile(unite(caps)), 5);
+}
+
+TEST_CASE("events that tie along lines among balls and bricks are the scalar caster's") {
+  // Balls that touch, bricks between them that begin and end where balls do, and lines through rows of them.
+  std::vector<Solid> crowd;
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      for (int k = 0; k < 6; ++k) {
+        const Vector at{-0.625 + 0.25 * i, -0.625 + 0.25 * j, -0.625 + 0.25 * k};
+        const bool is_ball = (i + j + k) % 3 != 0;
+        crowd.push_back(moved(is_ball ? sphere(0.125) : box({0.25, 0.125, 0.0625}, Centering::centered), at));
+      }
+    }
+  }
+  std::vector<Ray> list;
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      const double y = -0.625 + 0.25 * i, z = -0.625 + 0.25 * j;
+      for (const double off : {0.0, 0x1p-40, 0x1p-30, 0x1p-4}) {
+        list.emplace_back(Point{-3, y + off, z}, Vector{1, 0, 0});
+        list.emplace_back(Point{y, 3, z - off}, Vector{0, -1, 0});
+        list.emplace_back(Point{y + 2, z + 2, -2.625 - off}, Vector{-1, -1, 1});
+      }
+    }
+  }
+  const RayBatch rays(list);
+  for (const Solid& solid : {unite(crowd), die(unite(crowd))}) {
+    const Scene scene = compile(solid);
+    const Cells cells(scene);
+    REQUIRE(cells.counts().boxed > 0);
+    for (const std::string_view set : PacketCaster::instruction_sets()) {
+      CAPTURE(set);
+      PacketCaster caster(cells, PacketCaster::Width::single, set);
+      check_lists(cells, caster, rays.arrays(), rays);
+    }
+  }
 }
 
 TEST_CASE("a face by boxes is its owner's where an intersection without a thickness has the surface as well") {

@@ -278,6 +278,61 @@ TEST_CASE("a surface that is met twice within the lanes' tolerance does not hide
   }
 }
 
+TEST_CASE("the crossings next to an apex are told apart, each to the nearest double") {
+  const Solid cone =
+      transformed(transformed(hyperboloid(1.8, 0.9, 0), rotation(25, {0, 0, 1})), translation({-1.35, 0, 1.65}));
+  // In a scene whose center is elsewhere, so that lanes and doubles do not meet the apex by themselves.
+  const auto block = [](Vector size, Vector at) { return transformed(box(size), translation(at)); };
+  const Solid solid = unite({cone, block({12, 10, 1}, {-6, -4.35, -1}), block({12, 6, 1.1}, {-6, 1.45, 0}),
+                             block({0.1, 0.1, 0.1}, {4, 3, 3})});
+  const Scene scene = compile(solid);
+  Caster exact(scene, exact_predicates());
+  Caster certified(scene);
+  const auto list_of = [](Caster& caster, const Ray& ray) {
+    IntervalList list;
+    caster.begin(ray);
+    caster.intervals(list, Span::line());
+    return list;
+  };
+  const std::vector<Ray> rays{Ray({-1.35, 6, -22.35}, {0, -4, 16}), Ray({2.65, 0, 9.65}, {-4, 0, -8}),
+                              Ray({2.6500000000000004, -2, 7.65}, {-8, 4, -12}), Ray({-1.35, -5, 21.65}, {0, 4, -16})};
+  for (const Ray& ray : rays) check_same(list_of(certified, ray), list_of(exact, ray));
+}
+
+TEST_CASE("lanes know what quadrics about an axis do, grazed and along their sides, too") {
+  RandomSolids random(31);
+  for (const Vector direction : {Vector{0, 0, 1}, Vector{1, 0, 0}, Vector{0, 1, 0}}) {
+    const Transform turn = direction.z != 0   ? Transform()
+                           : direction.x != 0 ? rotation(90, {0, 1, 0})
+                                              : rotation(90, {1, 0, 0});
+    std::vector<Solid> solids{transformed(cylinder(0.5, 0.4, 0.1), translation({-0.7, 0, -0.2})),
+                              transformed(ellipsoid({0.3, 0.3, 0.6}), translation({0.6, 0.5, 0})),
+                              transformed(hyperboloid(1, 0.4, 0.1), translation({0.6, -0.5, 0.1})),
+                              transformed(ellipsoid({0.25, 0.25, 0.02}), translation({-0.5, 0.7, 0.3}))};
+    const Solid solid = transformed(unite(solids), turn);
+    const Scene scene = compile(solid);
+    const Cells cells(scene);
+    std::vector<Ray> rays = rays_at(random, 2000);
+    // Along the sides of the cone, and close to its apex.
+    const Point apex{-0.7, 0, -0.2 + 0.5 * 0.4 / 0.3};
+    for (int i = 0; i < 200; ++i) {
+      const double angle = 0.03 * i;
+      const Vector side{0.3 * std::cos(angle), 0.3 * std::sin(angle), -0.5};
+      const double off = std::ldexp(1.0, -i % 60);
+      rays.emplace_back(apex - 3.0 * side + Vector{off, 0, 0}, side);
+      rays.emplace_back(apex + Vector{2, off, 0}, Vector{-1, 0.01 * off, 0});
+    }
+    const test::RayBatch batch(rays);
+    for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
+      for (const std::string_view set : PacketCaster::instruction_sets()) {
+        PacketCaster caster(cells, width, set);
+        check_lists(cells, caster, batch.arrays(), batch);
+        CHECK(caster.left_to_caster().size() < rays.size() / 10);
+      }
+    }
+  }
+}
+
 TEST_CASE("rays from where the scene is a point, and all but along an axis, are answered exactly") {
   const Point far{1.4448509344704208, 1.4677759655495504, 0.22754620094568545};
   for (const double r : {1e-12, 1e-18, 1e-24, 1e-40}) {
