@@ -205,7 +205,11 @@ class Sweep {
       state ^= flips;
       const bool value = value_of(cell, state);
       if (value == now_inside_) continue;
-      record(cell, true, flips, state);
+      if (is_plain()) {
+        append_plain(cell, {slot[i], state});
+      } else {
+        record(cell, true, flips, state);
+      }
       now_inside_ = value;
     }
     return true;
@@ -252,11 +256,10 @@ class Sweep {
     crossings_.known = 0;
     if (starting) begin_in(true, starts_inside);
     now_inside_ = starts_inside;
-    const bool is_plain = !rounds_ && !wants_normals_;
     for (std::size_t k = 0; k < end_count; ++k) {
       const LineEnd end = line_ends_[k];
-      if (is_plain) {
-        append_plain(end);
+      if (is_plain()) {
+        append_plain(cell, end);
       } else {
         append(cell, true, end.slot, end.rises(), !now_inside_);
       }
@@ -266,9 +269,10 @@ class Sweep {
   }
 
   /// `append` of a single ray that departs from nothing, for what is wanted of most.
-  HWY_INLINE void append_plain(const LineEnd& end) {
+  HWY_INLINE bool is_plain() const { return !rounds_ && !wants_normals_ && departures_ == nullptr; }
+  HWY_INLINE void append_plain(const Cell& cell, const LineEnd& end) {
     const D d;
-    const Slot& slot = cells_.slots[gathered_.slots[end.slot]];
+    const Slot& slot = cells_.slots[slot_of(cell, end.slot)];
     const Surface& surface = scene_.surfaces()[slot.surface];
     M second, is_open;
     const V tau = crossings_.tau(d, line_, surface, end.slot, false, end.rises(), second, is_open);
