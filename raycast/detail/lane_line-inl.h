@@ -78,7 +78,9 @@ struct LineLanes {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
 
-  Triples<V> near, low, direction;
+  Triples<V> near, direction;
+  Triples<V> low;  ///< what `near` leaves over, if it is wanted
+  bool wants_low;
   V direction_squared, inverse_squared;  ///< if the scene has quadrics
   V shift, unit;
   V low_error;   ///< a bound for what each coordinate of `near` + `low` is off
@@ -110,15 +112,18 @@ template <class D>
 HWY_INLINE void set_near(D d, const Frame& frame, const Triples<hn::Vec<D>>& o, LineLanes<D>& line) {
   using V = hn::Vec<D>;
   const V to_frame = hn::Set(d, power_of_two(-frame.exponent));
-  const auto x = two_sum(o.x, hn::Set(d, -frame.center.x));
-  const auto y = two_sum(o.y, hn::Set(d, -frame.center.y));
-  const auto z = two_sum(o.z, hn::Set(d, -frame.center.z));
-  line.near = {hn::Mul(x.high, to_frame), hn::Mul(y.high, to_frame), hn::Mul(z.high, to_frame)};
-  line.low = {hn::Mul(x.low, to_frame), hn::Mul(y.low, to_frame), hn::Mul(z.low, to_frame)};
+  const Triples<V> back{hn::Set(d, -frame.center.x), hn::Set(d, -frame.center.y), hn::Set(d, -frame.center.z)};
+  const Triples<V> from_center = o + back;
+  line.near = {hn::Mul(from_center.x, to_frame), hn::Mul(from_center.y, to_frame), hn::Mul(from_center.z, to_frame)};
   line.shift = hn::Zero(d);
   const V size = longest(line.near);
   const auto is_far = hn::Gt(size, hn::Set(d, 2.0));
-  if (!hn::AllFalse(d, is_far)) {
+  const bool some_are_far = !hn::AllFalse(d, is_far);
+  if (line.wants_low || some_are_far) {
+    line.low = {hn::Mul(two_sum(o.x, back.x).low, to_frame), hn::Mul(two_sum(o.y, back.y).low, to_frame),
+                hn::Mul(two_sum(o.z, back.z).low, to_frame)};
+  }
+  if (some_are_far) {
     const V inverse = hn::Div(hn::Set(d, 1.0), dot(line.direction, line.direction));
     line.shift = hn::IfThenElseZero(is_far, hn::Mul(hn::Neg(dot(line.near, line.direction)), inverse));
     const auto move = [&](V along, V& near, V& low) {
@@ -139,11 +144,12 @@ HWY_INLINE void set_near(D d, const Frame& frame, const Triples<hn::Vec<D>>& o, 
   line.valid = hn::And(line.valid, hn::Lt(line.low_error, hn::Set(d, 0x1p-55)));
 }
 
-/// Lanes with a part of the direction that is so near zero, but not zero, that its products may underflow.
+/// Lanes with a part of the direction that is so near zero beside the longest, but not zero, that its products may
+/// underflow.
 template <class D>
-HWY_INLINE hn::Mask<D> has_tiny_part(D d, const Triples<hn::Vec<D>>& v) {
+HWY_INLINE hn::Mask<D> has_tiny_part(D d, const Triples<hn::Vec<D>>& v, hn::Vec<D> length) {
   using V = hn::Vec<D>;
-  const V least = hn::Set(d, 1e-100);
+  const V least = hn::Mul(length, hn::Set(d, 0x1p-332));
   const V smallest = hn::Min(hn::Min(hn::Abs(v.x), hn::Abs(v.y)), hn::Abs(v.z));
   auto tiny = hn::Lt(smallest, least);
   if (hn::AllFalse(d, tiny)) return tiny;
@@ -185,14 +191,13 @@ HWY_INLINE void set_line(D d, const Frame& frame, const CellData& cells, const T
                          const Triples<hn::Vec<D>>& v, LineLanes<D>& line) {
   using V = hn::Vec<D>;
   const BitsOf<D> bits;
-  const auto exponent = biased_exponent(d, longest(v));
+  const V length = longest(v);
+  const auto exponent = biased_exponent(d, length);
   const V scale = power_of_biased(d, hn::Sub(hn::Set(bits, 2046u), exponent));
-  const V back = power_of_biased(d, exponent);
   line.direction = {hn::Mul(v.x, scale), hn::Mul(v.y, scale), hn::Mul(v.z, scale)};
-  const auto scales = [&](V scaled, V original) { return hn::Eq(hn::Mul(scaled, back), original); };
-  line.valid =
-      hn::And(hn::And(scales(line.direction.x, v.x), scales(line.direction.y, v.y)), scales(line.direction.z, v.z));
-  line.valid = hn::AndNot(has_tiny_part(d, line.direction), line.valid);
+  // With no part that is tiny beside the longest all are normal, and scaled exactly.
+  line.valid = hn::And(hn::Gt(length, hn::Set(d, 0x1p-600)), hn::Lt(length, hn::Set(d, 0x1p600)));
+  line.valid = hn::AndNot(has_tiny_part(d, v, length), line.valid);
   line.unit = power_of_biased(d, hn::Sub(hn::Set(bits, static_cast<std::uint64_t>(2046 + frame.exponent)), exponent));
   if (cells.has_quadrics) {
     line.direction_squared = dot(line.direction, line.direction);

@@ -169,6 +169,7 @@ void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, cons
   const D d;
   const std::size_t lanes = hn::Lanes(d);
   LineLanes<D> line;
+  line.wants_low = hits.rounds || hits.faces.point[0] != nullptr;
   Departures<D> departures;
   Walk<D, wanted> walk(scene, cells, line, rays.departure != nullptr ? &departures : nullptr, nullptr, counts);
   for (std::size_t first = 0; first < rays.count; first += lanes) {
@@ -264,6 +265,7 @@ void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays
   const D d;
   const std::size_t lanes = hn::Lanes(d);
   LineLanes<D> line;
+  line.wants_low = lists.rounds || lists.wants_normals;
   Departures<D> departures;
   EndLog<D> log = make_log(d, rays, lists);
   Walk<D, Wanted::all> walk(scene, cells, line, rays.departure != nullptr ? &departures : nullptr, &log, counts);

@@ -342,5 +342,7 @@ TEST_CASE("rays from where the scene is a point, and all but along an axis, are 
   for (const double tiny : {1e-323, 1e-300, 1e-120}) {
     check_line(box({1, 1, 1}), Ray({-3, 0, 0}, {1, -tiny, tiny}));
     check_line(box({1, 1, 1}), Ray({-3, 1, 1}, {1, tiny, -tiny}));
+    check_line(box({1, 1, 1}), Ray({-3, 1, 1}, {0x1p390, tiny, -tiny}));
+    check_line(box({1, 1, 1}), Ray({-3, 0, 0}, {0x1p-390, -0x1p-390 * tiny, 0}));
   }
 }

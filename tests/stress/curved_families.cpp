@@ -25,6 +25,16 @@ Trial apexes(RandomSolids& random, int rays) {
   return trial;
 }
 
+// Of double cones at decimal places, turned about their axes, in scenes whose center is elsewhere: nothing is exact.
+Trial rounded_apexes(RandomSolids& random, int rays) {
+  const auto decimal = [&random] { return 0.05 * random.index(101) - 2.5; };
+  const Vector apex{decimal(), decimal(), decimal()};
+  const Solid cone = transformed(hyperboloid(1.8, 0.9, 0), rotation(5 * random.index(18), {0, 0, 1}));
+  Trial trial{at(cone, apex) + at(box({12, 10, 1}), {-6.05, -4.35, -5}), {}};
+  aim_at_point(random, trial, rays, Point{} + apex);
+  return trial;
+}
+
 // Straight lines with exact coordinates on a quadric about the z axis, and on images of it: the line turned by a
 // Pythagorean angle about the axis stays on it, up to rounding.
 Trial generators(RandomSolids& random, int rays, const Solid& solid, const Ray& base) {
@@ -144,6 +154,7 @@ std::vector<Family> curved_families() {
                     }});
   }
   list.push_back({"cone apexes", apexes});
+  list.push_back({"cone apexes at rounded places", rounded_apexes});
   list.push_back({"generators of cylinders", cylinder_generators});
   list.push_back({"generators of cones", cone_generators});
   list.push_back({"generators of hyperboloids", hyperboloid_generators});
