@@ -178,6 +178,7 @@ class Gatherer {
     const hh::Rebind<std::uint32_t, SlotLanes> ids;
     const std::size_t lanes = hh::Lanes(d);
     std::uint32_t balls[Cell::most_slots + 24];
+    balls[0] = BoxNode::ball;
     const std::size_t count = met_.take_balls(balls);
     counts_.surface_tests += count;
     const BallLine line(line_);

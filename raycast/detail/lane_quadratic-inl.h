@@ -206,10 +206,10 @@ HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadr
   const V inverse = hn::Div(set(1.0), hn::Mul(sum, safe_a));
   const V at_near = hn::Mul(c, hn::Mul(safe_a, inverse));
   const V at_far = hn::Mul(sum, hn::Mul(sum, inverse));
-  const auto far_is_out = hn::Gt(hn::Abs(sum), hn::Mul(set(4.01), hn::Add(abs_a, set(64 * unit))));
+  const auto far_is_out = hn::Gt(hn::Abs(sum), hn::Mul(set(4.01), hn::Add(abs_a, set(192 * unit))));
   // Each crossing is off by what f is, over its slope there.
   const auto is_close = [&](V s) { return hn::Le(hn::Mul(off_at(s), set(0x1p36)), root); };
-  const auto far_is_sound = hn::And(hn::Gt(abs_a, set(128 * unit)), is_close(at_far));
+  const auto far_is_sound = hn::And(hn::Gt(abs_a, set(256 * unit)), is_close(at_far));
   const auto is_sound = hn::And(
       hn::And(hn::Gt(discriminant, hn::Mul(set(0x1p-13), magnitude)), hn::Ge(root, hn::Mul(set(0x1p-30), abs_a))),
       hn::And(is_close(at_near), hn::Or(far_is_out, far_is_sound)));

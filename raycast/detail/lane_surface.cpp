@@ -129,11 +129,16 @@ LaneSurface revolved(const Surface& surface, std::size_t axis) {
   const Vector center = surface.center + to_center;
   if (!(std::fabs(kappa) < 16) || !(longest(to_center) < 1) || !(longest(center) < 1)) return lane;
   const double along = to_center[axis] * to_center[axis];
-  const double across = dot(to_center, to_center) - along;
+  const double across =
+      to_center[(axis + 1) % 3] * to_center[(axis + 1) % 3] + to_center[(axis + 2) % 3] * to_center[(axis + 2) % 3];
   const double constant = k[Form::one] / a;
   const double rho = across - kappa * along - constant;
   const double size = across + std::fabs(kappa) * along + std::fabs(constant);
-  const double off = 32 * u * size + 4 * u * std::fabs(rho) + 0x1p-84;
+  // Of smaller ones too many rays would be left to the caster.
+  if (!(std::fmax(std::fabs(kappa) * along, std::fabs(rho)) > 0x1p-32)) return lane;
+  // The last term makes lanes know nothing of what the filter about surface.center does not know.
+  const double filter = 0x1p-54 * std::fmax(1, std::fabs(kappa)) * std::sqrt(longest(to_center) + 0x1p-16);
+  const double off = 32 * u * size + 4 * u * std::fabs(rho) + filter;
   lane.kind = static_cast<LaneSurface::Kind>(static_cast<std::size_t>(LaneSurface::Kind::revolved_x) + axis);
   lane.c = {center.x, center.y, center.z, kappa, rho, std::copysign(off, a)};
   return lane;
@@ -144,7 +149,8 @@ LaneSurface revolved(const Surface& surface, std::size_t axis) {
 bool may_have_twins(const LaneSurface& surface) {
   // The two crossings of a round surface that is not open are 2^-11 of its radius apart or more.
   constexpr double least_radius = 0x1p14 * greatest_slack;
-  return surface.kind == LaneSurface::Kind::quadric ||
+  // Rays that depart take those about an axis for any quadric.
+  return surface.kind == LaneSurface::Kind::quadric || is_revolved(surface.kind) ||
          (is_round(surface.kind) && surface.c[3] < least_radius * least_radius);
 }
 

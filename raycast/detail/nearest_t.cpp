@@ -92,7 +92,8 @@ std::optional<double> newton(const LineFrame& line, const CrossingView& crossing
   // A quadratic rises at one of its roots and falls at the other. A step that is short beside the bend leads to the one
   // that goes as the slope does: where both are near each other that may be the wrong one.
   const bool rises = !crossing.found->positive_after(crossing.root);
-  if ((slope > 0) != rises || !(8 * bend * e * e * std::fabs(step) <= std::fabs(slope))) return std::nullopt;
+  const double most = std::fabs(value.high) + value_error;
+  if ((slope > 0) != rises || !(8 * bend * e * e * most <= slope * slope)) return std::nullopt;
   const double curvature = bend * e * e * step * step;
   const double error =
       2 * (value_error + curvature + std::fabs(step) * slope_error + 4 * u * std::fabs(value.high)) / std::fabs(slope);
