@@ -86,14 +86,10 @@ HWY_INLINE void cell_events(D d, const Scene& scene, const LineLanes<D>& line, c
                             const Departures<D>* departures, Events<D>& events) {
   clear_events(d, line, cell.slack, events);
   std::size_t i = 0;
-  if (departures == nullptr && !line.any_is_loose && !cell.is_far) {
+  if (departures == nullptr && !cell.is_far) {
     for (; i < cell.axis_plane_count; ++i) {
       const Slot& plane = cells.slots[cell.first_slot + i];
-      const auto axis = static_cast<std::size_t>(plane.kind);
-      events.first[i] = tau_at(d, line, axis, plane.c[0]);
-      // Which way they face nobody could foresee.
-      const auto against = hn::Mul(hn::Set(d, plane.c[1]), line.axis_inverse[axis]);
-      set_before(events, i, hn::Lt(against, hn::Zero(d)));
+      axis_plane_events(d, line, plane, static_cast<std::size_t>(plane.kind), i, events);
     }
   }
   for (; i < cell.slot_count; ++i) {

@@ -85,8 +85,9 @@ HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const Slot& pla
                                   Events<D>& events) {
   using V = hn::Vec<D>;
   events.first[i] = tau_at(d, line, axis, plane.c[0]);
-  const auto falls = hn::Lt(line.axis_inverse[axis], hn::Zero(d));
-  set_before(events, i, plane.c[1] > 0 ? falls : hn::Not(falls));
+  // Which way planes face nobody could foresee.
+  const V against = hn::Mul(hn::Set(d, plane.c[1]), line.axis_inverse[axis]);
+  set_before(events, i, hn::Lt(against, hn::Zero(d)));
   if (!line.any_is_loose) return;
   const Triples<V>& near = line.walk_near;
   const V gap = hn::Sub(hn::Set(d, plane.c[0]), axis == 0 ? near.x : axis == 1 ? near.y : near.z);

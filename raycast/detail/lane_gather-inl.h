@@ -24,8 +24,7 @@ struct Gathered {
   std::uint64_t united, subtracted, flipped;
   Part parts[Cell::most_slots];  ///< the other ones
   std::size_t part_count;
-  // Of a single ray, if it has them:
-  bool has_line_events;
+  // Of a single ray that departs from nothing:
   std::uint64_t line_state;  ///< where the stretch begins that is looked at
   LineEvents line_events;    ///< on that
 
@@ -34,7 +33,6 @@ struct Gathered {
     part_count = 0;
     line_events.count = 0;
     line_state = 0;
-    has_line_events = false;
   }
   /// Which of the first `count` slots it is; `count` if none.
   HWY_INLINE std::size_t place_of(std::uint32_t slot, std::size_t count) const {
@@ -109,7 +107,7 @@ class Gatherer {
       if (departures_ == nullptr) count = add_balls(stretch);
     }
     const std::size_t ball_count = count;
-    const bool knows_bricks = hn::is_single<D> && departures_ == nullptr && !line_.any_is_loose;
+    const bool knows_bricks = departures_ == nullptr && !line_.any_is_loose;
     for (std::size_t k = 0; k < met_.conjunction_count; ++k) {
       const std::uint32_t id = met_.conjunctions[k];
       if ((id & BoxNode::ball) == BoxNode::ball) {
@@ -122,8 +120,9 @@ class Gatherer {
       const Conjunction& conjunction = tree.conjunctions[id - BoxNode::conjunction];
       if (count + conjunction.count > Cell::most_slots) return std::nullopt;
       const BoxedSide& side = tree.sides[conjunction.first];
-      if (knows_bricks && conjunction.brick != Conjunction::no_brick) {
-        if (add_brick(tree.bricks[conjunction.brick], conjunction.is_subtracted, stretch, count)) continue;
+      if constexpr (hn::is_single<D>) {
+        const bool is_brick = knows_bricks && conjunction.brick != Conjunction::no_brick;
+        if (is_brick && add_brick(tree.bricks[conjunction.brick], conjunction.is_subtracted, stretch, count)) continue;
       }
       if (conjunction.count == 1 && !side.is_shared) {
         count = add_simple(side, conjunction.is_subtracted, stretch, count);
@@ -221,35 +220,30 @@ class Gatherer {
   /// The planes by which a single ray comes into a brick and leaves it, if it does on the stretch; false, and nothing
   /// done, if other planes are too close to them.
   HWY_INLINE bool add_brick(const Brick& brick, bool is_subtracted, const Stretch& stretch, std::size_t& count) {
-    if constexpr (hn::is_single<D>) {
-      const double apart = 2 * line_.slack;
-      const BrickCrossings at = brick_crossings(line_, brick, apart);
-      if (at.enters > at.leaves + apart || at.enters > stretch.to || at.leaves < stretch.from) return true;
-      if (!std::has_single_bit(at.enters_by) || !std::has_single_bit(at.leaves_by) || at.leaves <= at.enters + apart)
-        return false;
-      Gathered::Part part{0, 0, is_subtracted};
-      const auto add = [&](double event, unsigned by, bool is_entry) {
-        if (event < stretch.from || event > stretch.to) return;
-        const bool is_lower = ((signs_ & by) == 0) == is_entry;
-        const std::uint32_t slot = (is_lower ? brick.lower_slot : brick.upper_slot)[std::countr_zero(by)];
-        const bool wants_positive = is_lower == (cells_.slots[slot].c[1] > 0);
-        const std::uint64_t bit = std::uint64_t{1} << count;
-        events_.first[count] = event;
-        events_.second[count] = hn::Inf(D());
-        part.mask |= bit;
-        if (wants_positive) part.want |= bit;
-        if (wants_positive != is_entry) events_.before |= bit;
-        gathered_.slots[count++] = slot;
-      };
-      add(at.enters, at.enters_by, true);
-      add(at.leaves, at.leaves_by, false);
-      counts_.surface_tests += 6;
-      gathered_.parts[gathered_.part_count++] = part;
-      return true;
-    } else {
-      (void)brick, (void)is_subtracted, (void)stretch, (void)count;
+    const double apart = 2 * line_.slack;
+    const BrickCrossings at = brick_crossings(line_, brick, apart);
+    if (at.enters > at.leaves + apart || at.enters > stretch.to || at.leaves < stretch.from) return true;
+    if (!std::has_single_bit(at.enters_by) || !std::has_single_bit(at.leaves_by) || at.leaves <= at.enters + apart)
       return false;
-    }
+    Gathered::Part part{0, 0, is_subtracted};
+    const auto add = [&](double event, unsigned by, bool is_entry) {
+      if (event < stretch.from || event > stretch.to) return;
+      const bool is_lower = ((signs_ & by) == 0) == is_entry;
+      const std::uint32_t slot = (is_lower ? brick.lower_slot : brick.upper_slot)[std::countr_zero(by)];
+      const bool wants_positive = is_lower == (cells_.slots[slot].c[1] > 0);
+      const std::uint64_t bit = std::uint64_t{1} << count;
+      events_.first[count] = event;
+      events_.second[count] = hn::Inf(D());
+      part.mask |= bit;
+      if (wants_positive) part.want |= bit;
+      if (wants_positive != is_entry) events_.before |= bit;
+      gathered_.slots[count++] = slot;
+    };
+    add(at.enters, at.enters_by, true);
+    add(at.leaves, at.leaves_by, false);
+    counts_.surface_tests += 6;
+    gathered_.parts[gathered_.part_count++] = part;
+    return true;
   }
 
   /// The events of the slots [from, to) join those of the balls.
@@ -262,7 +256,6 @@ class Gatherer {
         gathered_.line_events.add(event, i, (event >= stretch.from) & (event <= stretch.to));
       }
     }
-    gathered_.has_line_events = true;
   }
 
   /// A conjunction of one surface, which no other one has. Returns how many slots there are then.

@@ -28,9 +28,7 @@ HWY_INLINE Crossings<D> crossings_of(D d, const QuadraticLanes<D>& f, const Line
   using V = hn::Vec<D>;
   const V zero = hn::Zero(d);
   const V root = hn::Sqrt(hn::Sub(hn::Mul(f.b, f.b), hn::Mul(f.a, f.c)));
-  // root - b where b falls, -(b + root) where it does not; nobody could foresee which.
-  const V flip = hn::IfThenElseZero(hn::Lt(f.b, zero), hn::Set(d, -0.0));
-  const V sum = hn::Neg(hn::Add(f.b, hn::Xor(root, flip)));
+  const V sum = far_sum(d, f.b, root);
   const V near = hn::Add(f.origin, hn::Div(f.c, sum));
   const V far = hn::Add(f.origin, hn::Div(sum, f.a));
   // Two crossings if the sign of a is certain; else the near one is the only one.

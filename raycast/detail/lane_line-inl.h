@@ -22,6 +22,14 @@ using csgcast::HWY_NAMESPACE::power_of_biased;
 using csgcast::HWY_NAMESPACE::store_lanes;
 using csgcast::HWY_NAMESPACE::Triples;
 
+/// A bit for each lane, of which there are up to eight.
+template <class D>
+HWY_INLINE unsigned lane_bits(D d, hn::Mask<D> mask) {
+  std::uint8_t bits[8];
+  hn::StoreMaskBits(d, mask, bits);
+  return bits[0];
+}
+
 template <class V>
 struct Exact {
   V high, low;

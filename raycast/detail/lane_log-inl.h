@@ -28,9 +28,7 @@ class EndLog {
     hn::StoreU(face, Bits(), face_.data() + rows_ * lanes_);
     hn::StoreU(t, d, t_.data() + rows_ * lanes_);
     hn::StoreU(where, Bits(), where_.data() + rows_ * lanes_);
-    std::uint8_t mask[8];
-    hn::StoreMaskBits(d, lanes, mask);
-    masks_[rows_++] = mask[0];
+    masks_[rows_++] = static_cast<std::uint8_t>(lane_bits(d, lanes));
   }
 
   /// Of the row that was added last.

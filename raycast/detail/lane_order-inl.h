@@ -16,14 +16,6 @@ namespace hh = hn::hh;
 /// For single rays: surfaces in the lanes, not rays.
 using SlotLanes = hh::CappedTag<double, 4>;
 
-/// A bit for each lane, in any tag of up to eight lanes.
-template <class D>
-HWY_INLINE unsigned lane_bits(D d, hh::Mask<D> mask) {
-  std::uint8_t bits[8];
-  hh::StoreMaskBits(d, mask, bits);
-  return bits[0];
-}
-
 /// Puts the chosen lanes behind what is there, where there is room for all. In two steps: what is compressed straight
 /// into memory cannot be read back before it has got there.
 template <class D>

@@ -54,6 +54,14 @@ HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Surf
   return f;
 }
 
+/// root - b where b is below zero, -(b + root) where it is not: nothing cancels. Nobody could foresee which, so there
+/// is no branch.
+template <class D>
+HWY_INLINE hn::Vec<D> far_sum(D d, hn::Vec<D> b, hn::Vec<D> root) {
+  const hn::Vec<D> flip = hn::IfThenElseZero(hn::Lt(b, hn::Zero(d)), hn::Set(d, -0.0));
+  return hn::Neg(hn::Add(b, hn::Xor(root, flip)));
+}
+
 /// Any quadric, with running errors: line_filter.cpp in lanes.
 // long: one formula with the bounds of its parts
 template <class D>
@@ -84,7 +92,7 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   const V safe = hn::Max(discriminant, d_error);
   const V root = hn::Sqrt(safe);
   const auto falls = hn::Lt(f.b, zero);
-  const V sum = hn::IfThenElse(falls, hn::Sub(root, f.b), hn::Neg(hn::Add(f.b, root)));
+  const V sum = far_sum(d, f.b, root);
   const V abs_sum = hn::Abs(sum);
   // One division for three inverses: each is off by 5 u.
   const V tiny = set(1e-100);
@@ -199,8 +207,7 @@ HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadr
   const auto has_none = hn::Lt(hn::Add(discriminant, most_off), zero);
   const V root = hn::Sqrt(hn::Max(discriminant, set(0x1p-200)));
   const auto falls = hn::Lt(b, zero);
-  const V flip = hn::IfThenElseZero(falls, set(-0.0));
-  const V sum = hn::Neg(hn::Add(b, hn::Xor(root, flip)));
+  const V sum = far_sum(d, b, root);
   const V tiny = set(1e-100);
   const V safe_a = hn::IfThenElse(hn::Lt(abs_a, tiny), tiny, a);
   const V inverse = hn::Div(set(1.0), hn::Mul(sum, safe_a));

@@ -125,9 +125,8 @@ class Sweep {
     V at = hn::IfThenElse(covered_lanes_, covered_, hn::Add(from, slack));
     covered_ = hn::IfThenElse(active, hn::Max(limit, at), covered_);
     covered_lanes_ = hn::Or(covered_lanes_, active);
-    if constexpr (hn::is_single<D>) {
-      if (!active) return;
-      if (wanted == Wanted::all && sweep_few(cell, at, limit)) return;
+    if constexpr (hn::is_single<D> && wanted == Wanted::all) {
+      if (!active || sweep_few(cell, at, limit)) return;
     }
     V next = next_event<uses_boxes>(d, events_, cell, at);
     // The lanes with an event to look at. Close to the end of what is asked nothing is certain.
@@ -201,16 +200,8 @@ class Sweep {
     if (!are_apart || place[due - 1] > last) return false;
     if (certified && value_of(cell, state) != now_inside_) return false;
     for (std::size_t i = 0; i < due && live_; ++i) {
-      const U flips = std::uint64_t{1} << slot[i];
-      state ^= flips;
-      const bool value = value_of(cell, state);
-      if (value == now_inside_) continue;
-      if (is_plain()) {
-        append_plain(cell, {slot[i], state});
-      } else {
-        record(cell, true, flips, state);
-      }
-      now_inside_ = value;
+      state ^= std::uint64_t{1} << slot[i];
+      if (value_of(cell, state) != now_inside_) add_end(cell, {slot[i], state});
     }
     return true;
   }
@@ -256,27 +247,28 @@ class Sweep {
     crossings_.known = 0;
     if (starting) begin_in(true, starts_inside);
     now_inside_ = starts_inside;
-    for (std::size_t k = 0; k < end_count; ++k) {
-      const LineEnd end = line_ends_[k];
-      if (is_plain()) {
-        append_plain(cell, end);
-      } else {
-        append(cell, true, end.slot, end.rises(), !now_inside_);
-      }
-      now_inside_ = !now_inside_;
-    }
+    for (std::size_t k = 0; k < end_count; ++k) add_end(cell, line_ends_[k]);
     return true;
   }
 
+  /// A single ray's next end.
+  HWY_INLINE void add_end(const Cell& cell, const LineEnd& end) {
+    if (rounds_ || wants_normals_ || departures_ != nullptr) {
+      append(cell, true, end.slot, end.rises(), !now_inside_);
+    } else {
+      append_plain(cell, end);
+    }
+    now_inside_ = !now_inside_;
+  }
+
   /// `append` of a single ray that departs from nothing, for what is wanted of most.
-  HWY_INLINE bool is_plain() const { return !rounds_ && !wants_normals_ && departures_ == nullptr; }
   HWY_INLINE void append_plain(const Cell& cell, const LineEnd& end) {
     const D d;
     const Slot& slot = cells_.slots[slot_of(cell, end.slot)];
     const Surface& surface = scene_.surfaces()[slot.surface];
     M second, is_open;
     const V tau = crossings_.tau(d, line_, surface, end.slot, false, end.rises(), second, is_open);
-    flagged_ |= is_open;
+    flag(is_open);
     ends_->add(true, (line_.shift + tau) * line_.unit, slot.surface | std::uint64_t{second} << 32,
                slot.leaf | std::uint64_t{slot.look} << 32);
     ++count_;

@@ -58,9 +58,7 @@ HWY_NOINLINE std::uint64_t passed_events(const double* events, std::size_t from,
   const auto place = hn::hh::Set(d, at);
   std::uint64_t passed = 0;
   for (std::size_t i = 0; i < count; i += hn::hh::Lanes(d)) {
-    std::uint8_t bits[8];
-    hn::hh::StoreMaskBits(d, hn::hh::Le(hn::hh::LoadU(d, events + i), place), bits);
-    passed |= std::uint64_t{bits[0]} << i;
+    passed |= std::uint64_t{lane_bits(d, hn::hh::Le(hn::hh::LoadU(d, events + i), place))} << i;
   }
   return passed & ((std::uint64_t{1} << count) - (std::uint64_t{1} << from));
 }

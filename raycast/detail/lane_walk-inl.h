@@ -100,7 +100,7 @@ class Walk : public Sweep<D, wanted> {
     const M starting = hn::And(lanes, hn::Le(from, line_.start));
     begun_ = hn::Or(begun_, lanes);
     if constexpr (hn::is_single<D>) {
-      if (gathered_.has_line_events && sweep_in_order(cell, from, to, starting)) return true;
+      if (departures_ == nullptr && sweep_in_order(cell, from, to, starting)) return true;
     }
     // Lanes that know too little are flagged even where no surface is left.
     look_into(cell, from, to, lanes, starting);

@@ -65,13 +65,6 @@ HWY_INLINE std::uint64_t bytes_of(unsigned bits) {
 }
 
 template <class D>
-HWY_INLINE unsigned bits_of(D d, hn::Mask<D> mask) {
-  std::uint8_t bits[8];
-  hn::StoreMaskBits(d, mask, bits);
-  return bits[0];
-}
-
-template <class D>
 HWY_INLINE void set_departures(D d, const RayArrays& rays, std::size_t first, std::size_t count,
                                Departures<D>& departures) {
   const hn::Rebind<std::uint32_t, D> half;
@@ -127,14 +120,14 @@ HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells
   Told<D> told;
   tell_hits(d, scene, line, departures, found, owners.surface, walk.rises(), walk.inside(), wants_faces, hits.rounds,
             told);
-  if (hits.rounds) add_lanes(*hits.unrounded, first, bits_of(d, told.unrounded));
+  if (hits.rounds) add_lanes(*hits.unrounded, first, lane_bits(d, told.unrounded));
   store_lanes(d, told.t, faces.t + first, count);
   store_ids(d, owners.surface, faces.surface + first, count);
-  if (faces.root != nullptr) store_bytes(bits_of(d, told.second), faces.root + first, count);
+  if (faces.root != nullptr) store_bytes(lane_bits(d, told.second), faces.root + first, count);
   if (!wants_faces) return told.left;
   store_lanes(d, told.place, faces.point, first, count);
   store_lanes(d, told.normal, faces.normal, first, count);
-  store_bytes(~bits_of(d, walk.rises()), faces.comes_positive + first, count);
+  store_bytes(~lane_bits(d, walk.rises()), faces.comes_positive + first, count);
   const auto unknown = hn::Set(bits, LookId().index());
   auto unowned = hn::RebindMask(d, hn::Eq(owners.look, unknown));
   store_ids(d, owners.look, faces.look + first, count);
@@ -142,7 +135,7 @@ HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells
     unowned = hn::Or(unowned, hn::RebindMask(d, hn::Eq(owners.leaf, unknown)));
     store_ids(d, owners.leaf, faces.leaf + first, count);
   }
-  add_lanes(*hits.unowned, first, bits_of(d, hn::AndNot(told.left, hn::And(found, unowned))));
+  add_lanes(*hits.unowned, first, lane_bits(d, hn::AndNot(told.left, hn::And(found, unowned))));
   return told.left;
 }
 
@@ -185,12 +178,12 @@ void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, cons
       }
     }
     // HitArrays::entry is 1, exit 2.
-    const unsigned found_bits = bits_of(d, found);
-    const std::uint64_t states = bytes_of(found_bits) + bytes_of(found_bits & ~bits_of(d, walk.inside()));
+    const unsigned found_bits = lane_bits(d, found);
+    const std::uint64_t states = bytes_of(found_bits) + bytes_of(found_bits & ~lane_bits(d, walk.inside()));
     std::memcpy(hits.faces.state + first, &states, count);
     if (wanted == Wanted::first && hits.faces.is_inside != nullptr)
-      store_bytes(bits_of(d, walk.started_inside()), hits.faces.is_inside + first, count);
-    leave(*hits.left, first, bits_of(d, left), counts);
+      store_bytes(lane_bits(d, walk.started_inside()), hits.faces.is_inside + first, count);
+    leave(*hits.left, first, lane_bits(d, left), counts);
   }
 }
 
@@ -203,8 +196,8 @@ HWY_INLINE void append_lists(D d, const RayArrays& rays, std::size_t first, std:
   const BitsOf<D> bits;
   HWY_ALIGN std::uint64_t met[16];
   hn::Store(walk.end_count(), bits, met);
-  const unsigned start_inside = bits_of(d, walk.started_inside());
-  const unsigned end_inside = bits_of(d, walk.inside());
+  const unsigned start_inside = lane_bits(d, walk.started_inside());
+  const unsigned end_inside = lane_bits(d, walk.inside());
   // Where each lane's next end goes, counted in ends.
   std::size_t next[8];
   std::size_t total = 2 * lists.intervals->size();
@@ -275,10 +268,10 @@ void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays
     const std::size_t count = HWY_MIN(lanes, rays.count - first);
     if (rays.departure != nullptr) set_departures(d, rays, first, count, departures);
     walk_packet(d, scene, cells, rays, first, count, line, walk, counts);
-    const unsigned left = bits_of(d, walk.flagged());
+    const unsigned left = lane_bits(d, walk.flagged());
     const unsigned told = ((1u << count) - 1) & ~left;
     append_lists(d, rays, first, count, walk, log, told, lists);
-    if (lists.rounds) add_lanes(*lists.unrounded, first, told & bits_of(d, walk.unrounded()));
+    if (lists.rounds) add_lanes(*lists.unrounded, first, told & lane_bits(d, walk.unrounded()));
     leave(*lists.left, first, left, counts);
   }
 }
