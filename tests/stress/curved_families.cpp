@@ -27,9 +27,10 @@ Trial apexes(RandomSolids& random, int rays) {
 
 // Of double cones at decimal places, turned about their axes, in scenes whose center is elsewhere: nothing is exact.
 Trial rounded_apexes(RandomSolids& random, int rays) {
-  const auto decimal = [&random] { return 0.05 * random.index(101) - 2.5; };
+  const auto decimal = [&random] { return 0.05 * static_cast<double>(random.index(101)) - 2.5; };
   const Vector apex{decimal(), decimal(), decimal()};
-  const Solid cone = transformed(hyperboloid(1.8, 0.9, 0), rotation(5 * random.index(18), {0, 0, 1}));
+  const Solid cone =
+      transformed(hyperboloid(1.8, 0.9, 0), rotation(5 * static_cast<double>(random.index(18)), {0, 0, 1}));
   Trial trial{at(cone, apex) + at(box({12, 10, 1}), {-6.05, -4.35, -5}), {}};
   aim_at_point(random, trial, rays, Point{} + apex);
   return trial;
