@@ -30,7 +30,8 @@ struct FaceBuffers {
       for (Numbers& numbers : *vectors) numbers.resize(count + more);
     t.resize(count + more);
     for (auto* list : {&state, &comes_positive}) list->resize(count);
-    for (auto* list : {&surface, &look}) list->resize(count);
+    surface.resize(count);
+    look.resize(count + more);
   }
 
   /// Without leaves.

@@ -3,12 +3,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstring>
 
+#include "shade/detail/samples.h"
 #include "shade/detail/shading_lanes.h"
 #include "shade/phong.h"
 
 namespace csgcast::detail {
+
+namespace {
+
+constexpr std::size_t eight = 8;
+
+// Whether all of eight rays see a face from outside.
+bool all_enter(const std::uint8_t* state) {
+  static constexpr std::uint8_t entries[eight] = {FaceArrays::entry, FaceArrays::entry, FaceArrays::entry,
+                                                  FaceArrays::entry, FaceArrays::entry, FaceArrays::entry,
+                                                  FaceArrays::entry, FaceArrays::entry};
+  return std::memcmp(state, entries, eight) == 0;
+}
+
+}  // namespace
 
 bool PacketTracer::suits(const Scene& scene, const View& view, const Camera& camera) {
   return !scene.transmits() && view.settings.max_depth > 0 && camera.rays_are_in_range();
@@ -38,19 +53,21 @@ void PacketTracer::resize(std::size_t count) {
   for (Vectors* vectors : {&origin_, &direction_, &color_, &shadow_origin_, &path_, &light_}) {
     for (Numbers& numbers : *vectors) numbers.resize(count + FaceBuffers::more);
   }
-  for (auto* list : {&sample_, &departure_, &ray_sample_, &ray_departure_}) list->resize(count);
-  for (auto* list : {&is_plain_, &departs_positive_, &blocked_, &ray_departs_positive_}) list->resize(count);
+  for (auto* list : {&sample_, &departure_, &ray_place_, &ray_departure_}) list->resize(count);
+  for (auto* list : {&departs_positive_, &blocked_, &ray_departs_positive_}) list->resize(count);
+  is_plain_.resize(count + FaceBuffers::more);
   weight_.resize(count);
   ones_.resize(count, 1.0);
 }
 
-void PacketTracer::trace(std::span<const double> x, std::span<const double> y, std::span<Rgb> colors) {
-  if (x.empty()) return;
-  resize(x.size());
+void PacketTracer::trace(const Samples& samples, std::span<Rgb> colors) {
+  if (samples.x.empty()) return;
+  resize(samples.x.size());
   depth_ = 0;
-  count_ = x.size();
-  code_.camera_rays(camera_.frame(), count_, x.data(), y.data(), pointers(origin_).data(), pointers(direction_).data());
-  std::iota(ray_sample_.begin(), ray_sample_.begin() + static_cast<std::ptrdiff_t>(count_), 0u);
+  count_ = samples.x.size();
+  code_.camera_rays(camera_.frame(), count_, samples.x.data(), samples.y.data(), pointers(origin_).data(),
+                    pointers(direction_).data());
+  std::copy(samples.place.begin(), samples.place.end(), ray_place_.begin());
   for (; count_ > 0; ++depth_) {
     see();
     const bool any_is_plain = sort_out(colors);
@@ -81,14 +98,20 @@ bool PacketTracer::sort_out(std::span<Rgb> colors) {
   std::uint64_t counted = 0;
   std::uint64_t plain = 0;
   for (std::size_t i = 0; i < count_; ++i) {
+    if (i + eight <= count_ && all_enter(&faces_.state[i])) {
+      std::memset(&is_plain_[i], 1, eight);
+      plain += eight;
+      i += eight - 1;
+      continue;
+    }
     is_plain_[i] = faces_.state[i] == FaceArrays::entry ? 1 : 0;
     plain += is_plain_[i];
     if (is_plain_[i] != 0) continue;
     if (faces_.state[i] == FaceArrays::none) {
       ++counted;
-      leave(i, colors[ray_sample_[i]]);
+      leave(i, colors[ray_place_[i]]);
     } else {
-      trace_alone(i, colors[ray_sample_[i]]);
+      trace_alone(i, colors[ray_place_[i]]);
     }
   }
   // Lanes tell of no place that is not finite.
@@ -96,7 +119,7 @@ bool PacketTracer::sort_out(std::span<Rgb> colors) {
     if (is_plain_[i] == 0 || std::isfinite(faces_.point[0][i] + faces_.point[1][i] + faces_.point[2][i])) continue;
     is_plain_[i] = 0;
     --plain;
-    trace_alone(i, colors[ray_sample_[i]]);
+    trace_alone(i, colors[ray_place_[i]]);
   }
   (depth_ == 0 ? report_.rays.primary : report_.rays.reflection) += counted + plain;
   return plain > 0;
@@ -131,7 +154,7 @@ void PacketTracer::shade(std::span<Rgb> colors) {
   for (std::size_t i = 0; i < count_; ++i) {
     if (is_plain_[i] == 0) continue;
     const Rgb local{color_[0][i], color_[1][i], color_[2][i]};
-    Rgb& color = colors[ray_sample_[i]];
+    Rgb& color = colors[ray_place_[i]];
     color = depth_ == 0 ? local : color + weight_[i] * local;
   }
 }
@@ -145,7 +168,7 @@ void PacketTracer::reflect(std::span<Rgb> colors) {
   count_ = next;
   if (depth_ + 1 < view_.settings.max_depth) return;
   ++depth_;
-  for (std::size_t i = 0; i < count_; ++i) leave(i, colors[ray_sample_[i]]);
+  for (std::size_t i = 0; i < count_; ++i) leave(i, colors[ray_place_[i]]);
   report_.skipped.depth_limit += count_;
   count_ = 0;
 }
@@ -167,7 +190,7 @@ bool PacketTracer::reflect(std::size_t ray, std::size_t to) {
     direction_[axis][to] = direction[axis];
   }
   weight_[to] = weight;
-  ray_sample_[to] = ray_sample_[ray];
+  ray_place_[to] = ray_place_[ray];
   ray_departure_[to] = faces_.surface[ray];
   ray_departs_positive_[to] = faces_.comes_positive[ray];
   return true;

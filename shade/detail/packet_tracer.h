@@ -17,6 +17,7 @@
 namespace csgcast::detail {
 
 struct ShadingCode;
+struct Samples;
 struct ShadingPoints;
 
 /// Shades many samples of a picture at once, in lanes: the same light as Tracer's, bit for bit. All rays of one depth
@@ -31,8 +32,9 @@ class PacketTracer {
   PacketTracer(const Cells& cells, const View& view, const Camera& camera, Tracer& tracer,
                std::string_view instructions);
 
-  /// The light at places (x, y) of the picture. As many colours as places; neighbours should stand together.
-  void trace(std::span<const double> x, std::span<const double> y, std::span<Rgb> colors);
+  /// The light that samples show; those that follow each other should be neighbours. Their colours go where they
+  /// belong: colors[samples.place[i]].
+  void trace(const Samples& samples, std::span<Rgb> colors);
 
   /// What was done so far, without the tracer's counts.
   RenderReport report() const;
@@ -57,11 +59,11 @@ class PacketTracer {
   RenderReport report_;
   bool has_mirrors_ = false;
 
-  // By ray of the present depth: whose sample it is of, what its light counts, where it starts; and the face that it
-  // sees.
+  // By ray of the present depth: where its sample's colour belongs, what its light counts, where it starts; and the
+  // face that it sees.
   int depth_ = 0;
   std::size_t count_ = 0;
-  std::vector<std::uint32_t> ray_sample_, ray_departure_;
+  std::vector<std::uint32_t> ray_place_, ray_departure_;
   std::vector<std::uint8_t> ray_departs_positive_;
   std::vector<Rgb> weight_;
   Vectors origin_, direction_;

@@ -57,27 +57,26 @@ void camera_rays(const CameraFrame& camera, std::size_t count, const double* x, 
 
 /// Calls f(look, lanes) for each look that some of a packet's lanes have.
 template <class F>
-HWY_INLINE void each_look(const ShadingPoints& points, std::size_t first, std::size_t count, M lanes, F&& f) {
+HWY_INLINE void each_look(const ShadingPoints& points, std::size_t first, M lanes, F&& f) {
   const Tag d;
-  HWY_ALIGN double looks[16];
-  for (std::size_t i = 0; i < hn::Lanes(d); ++i)
-    looks[i] = static_cast<double>(points.look[first + (i < count ? i : count - 1)]);
-  const V of = hn::Load(d, looks);
+  const std::uint32_t* looks = points.look + first;
+  const V of =
+      hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::int32_t, Tag>(), reinterpret_cast<const std::int32_t*>(looks)));
   for (M rest = lanes; !hn::AllFalse(d, rest);) {
-    const double look = looks[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
-    const M same = hn::And(rest, hn::Eq(of, hn::Set(d, look)));
+    const std::uint32_t look = looks[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
+    const M same = hn::And(rest, hn::Eq(of, hn::Set(d, static_cast<double>(look))));
     rest = hn::AndNot(same, rest);
-    f(static_cast<std::size_t>(look), same);
+    f(look, same);
   }
 }
 
 /// The lanes whose samples are plain.
 HWY_INLINE M plain_lanes(const ShadingPoints& points, std::size_t first, std::size_t count) {
   const Tag d;
-  unsigned bits = 0;
-  for (std::size_t i = 0; i < count; ++i) bits |= unsigned{points.is_plain[first + i]} << i;
-  const std::uint8_t mask[8] = {static_cast<std::uint8_t>(bits)};
-  return hn::LoadMaskBits(d, mask);
+  const hn::Rebind<std::uint8_t, Tag> bytes;
+  const hn::Rebind<std::int32_t, Tag> wider;
+  const V plain = hn::PromoteTo(d, hn::PromoteTo(wider, hn::LoadU(bytes, points.is_plain + first)));
+  return hn::And(hn::FirstN(d, count), hn::Gt(plain, hn::Zero(d)));
 }
 
 void unlit(const Material* looks, const ShadingPoints& points, double* const* color) {
@@ -86,7 +85,7 @@ void unlit(const Material* looks, const ShadingPoints& points, double* const* co
     const std::size_t some = HWY_MIN(hn::Lanes(d), points.count - first);
     const V zero = hn::Zero(d);
     Triples<V> sum{zero, zero, zero};
-    each_look(points, first, some, plain_lanes(points, first, some), [&](std::size_t look, M lanes) {
+    each_look(points, first, plain_lanes(points, first, some), [&](std::size_t look, M lanes) {
       const Rgb own = csgcast::unlit(looks[look]);
       sum = choose(lanes, Triples<V>{hn::Set(d, own.r), hn::Set(d, own.g), hn::Set(d, own.b)}, sum);
     });
@@ -161,10 +160,16 @@ HWY_INLINE void append(M lanes, unsigned bits, const Triples<V>& origin, const T
                        const Triples<V>& light, std::size_t first, ShadowRays& rays) {
   const Tag d;
   const V values[9] = {origin.x, origin.y, origin.z, path.x, path.y, path.z, light.x, light.y, light.z};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    hn::CompressStore(values[axis], lanes, d, rays.origin[axis] + rays.count);
-    hn::CompressStore(values[3 + axis], lanes, d, rays.path[axis] + rays.count);
-    hn::CompressStore(values[6 + axis], lanes, d, rays.light[axis] + rays.count);
+  double* const to[9] = {rays.origin[0], rays.origin[1], rays.origin[2], rays.path[0], rays.path[1],
+                         rays.path[2],   rays.light[0],  rays.light[1],  rays.light[2]};
+  // Some processors take a hundred cycles to compress to memory.
+  const bool all = hn::AllTrue(d, lanes);
+  for (std::size_t i = 0; i < 9; ++i) {
+    if (all) {
+      hn::StoreU(values[i], d, to[i] + rays.count);
+    } else {
+      hn::CompressStore(values[i], lanes, d, to[i] + rays.count);
+    }
   }
   for (; bits != 0; bits &= bits - 1)
     rays.sample[rays.count++] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(__builtin_ctz(bits));
@@ -195,7 +200,7 @@ void light(const Material* looks, const LightDescription& description, const Sha
     rays.facing_away += static_cast<std::uint64_t>(__builtin_popcount(bits_of(faces_away)));
     Triples<V> brings{zero, zero, zero};
     if (!hn::AllFalse(d, faces)) {
-      each_look(points, first, some, faces, [&](std::size_t look, M lanes) {
+      each_look(points, first, faces, [&](std::size_t look, M lanes) {
         brings = choose(lanes, phong_lanes(looks[look], normal, -ray, from, n_l), brings);
       });
     }

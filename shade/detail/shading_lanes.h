@@ -17,11 +17,11 @@ namespace csgcast::detail {
 /// What samples of a picture see, as arrays.
 struct ShadingPoints {
   std::size_t count = 0;
-  const std::uint8_t* is_plain = nullptr;  ///< 1 for those to be shaded: an opaque face seen from outside
+  const std::uint8_t* is_plain = nullptr;  ///< 1 for those to be shaded: an opaque face seen from outside; eight more
   const double* point[3] = {};
-  const double* normal[3] = {};     ///< unit, out of the solid
-  const double* direction[3] = {};  ///< of the rays that see them, unit
-  const std::uint32_t* look = nullptr;
+  const double* normal[3] = {};         ///< unit, out of the solid
+  const double* direction[3] = {};      ///< of the rays that see them, unit
+  const std::uint32_t* look = nullptr;  ///< eight more, of any value
 };
 
 /// The shadow rays to one light, close together, and what the light adds if nothing is in their way. Room for as many

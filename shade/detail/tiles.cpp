@@ -109,11 +109,7 @@ void TileRenderer::shade(const Tile& tile, int k, Film& film) {
 }
 
 // In packets. Their colours go where they belong.
-void TileRenderer::trace_samples() {
-  traced_.resize(samples_.x.size());
-  packets_->trace(samples_.x, samples_.y, traced_);
-  for (std::size_t i = 0; i < traced_.size(); ++i) colors_[samples_.place[i]] = traced_[i];
-}
+void TileRenderer::trace_samples() { packets_->trace(samples_, colors_); }
 
 void TileRenderer::shade_in_packets(const Tile& tile, int k, Film& film) {
   const int height = std::max(8 / k, 1);

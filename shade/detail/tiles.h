@@ -80,7 +80,6 @@ class TileRenderer {
   std::vector<double> lengths_;  // by place
   std::vector<Pixel> pixels_;
   Samples samples_;
-  std::vector<Rgb> traced_;  // by sample
   std::vector<Rgb> colors_;  // by place
 };
 
