@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "csg/look.h"
@@ -46,6 +47,16 @@ class Film {
     value(x, y, 0) = static_cast<float>(color.r);
     value(x, y, 1) = static_cast<float>(color.g);
     value(x, y, 2) = static_cast<float>(color.b);
+  }
+  /// Pixels of one row, from x on. Precondition: three channels, and they are within the row.
+  void set(int x, int y, std::span<const Rgb> colors) {
+    float* to = &values_[index(x, y)];
+    for (const Rgb& color : colors) {
+      to[0] = static_cast<float>(color.r);
+      to[1] = static_cast<float>(color.g);
+      to[2] = static_cast<float>(color.b);
+      to += 3;
+    }
   }
 
  private:

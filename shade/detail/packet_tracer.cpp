@@ -151,11 +151,15 @@ void PacketTracer::shade(std::span<Rgb> colors) {
                              faces_.look.data()};
   code_.unlit(scene_.looks().data(), points, pointers(color_).data());
   for (const LightDescription& light : view_.lights) add_light(light, points);
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (is_plain_[i] == 0) continue;
-    const Rgb local{color_[0][i], color_[1][i], color_[2][i]};
-    Rgb& color = colors[ray_place_[i]];
-    color = depth_ == 0 ? local : color + weight_[i] * local;
+  const auto [r, g, b] = pointers(color_);
+  const std::uint8_t* const is_plain = is_plain_.data();
+  const std::uint32_t* const place = ray_place_.data();
+  const bool first = depth_ == 0;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    if (is_plain[i] == 0) continue;
+    const Rgb local{r[i], g[i], b[i]};
+    Rgb& color = colors[place[i]];
+    color = first ? local : color + weight_[i] * local;
   }
 }
 
@@ -208,10 +212,7 @@ void PacketTracer::add_light(const LightDescription& light, const ShadingPoints&
   report_.skipped.shadow_without_effect += shadows.without_effect;
   report_.rays.shadow += shadows.count;
   if (shadows.count == 0) return;
-  for (std::size_t ray = 0; ray < shadows.count; ++ray) {
-    departure_[ray] = faces_.surface[sample_[ray]];
-    departs_positive_[ray] = faces_.comes_positive[sample_[ray]];
-  }
+  depart(shadows);
   RayArrays rays;
   rays.count = shadows.count;
   std::copy_n(shadows.origin, 3, rays.origin);
@@ -220,10 +221,27 @@ void PacketTracer::add_light(const LightDescription& light, const ShadingPoints&
   rays.departs_positive = departs_positive_.data();
   rays.end = light.position ? ones_.data() : nullptr;
   caster_.any_hits(rays, blocked_.data());
+  const auto [r, g, b] = pointers(color_);
+  const std::uint8_t* const blocked = blocked_.data();
   for (std::size_t ray = 0; ray < shadows.count; ++ray) {
-    if (blocked_[ray] != 0) continue;
-    for (std::size_t channel = 0; channel < 3; ++channel) color_[channel][sample_[ray]] += light_[channel][ray];
+    if (blocked[ray] != 0) continue;
+    const std::size_t sample = shadows.sample[ray];
+    r[sample] += shadows.light[0][ray];
+    g[sample] += shadows.light[1][ray];
+    b[sample] += shadows.light[2][ray];
   }
+}
+
+// Shadow rays depart from the faces that their samples see.
+void PacketTracer::depart(const ShadowRays& shadows) {
+  const std::uint32_t* const surface = faces_.surface.data();
+  const std::uint8_t* const comes_positive = faces_.comes_positive.data();
+  std::uint32_t* const departure = departure_.data();
+  std::uint8_t* const positive = departs_positive_.data();
+  const std::uint32_t* const sample = shadows.sample;
+  const std::size_t count = shadows.count;
+  for (std::size_t ray = 0; ray < count; ++ray) departure[ray] = surface[sample[ray]];
+  for (std::size_t ray = 0; ray < count; ++ray) positive[ray] = comes_positive[sample[ray]];
 }
 
 }  // namespace csgcast::detail

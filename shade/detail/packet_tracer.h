@@ -19,6 +19,7 @@ namespace csgcast::detail {
 struct ShadingCode;
 struct Samples;
 struct ShadingPoints;
+struct ShadowRays;
 
 /// Shades many samples of a picture at once, in lanes: the same light as Tracer's, bit for bit. All rays of one depth
 /// are traced together: those of the camera, then those that mirrors reflect, .. Samples that see an opaque face from
@@ -49,6 +50,7 @@ class PacketTracer {
   void leave(std::size_t ray, Rgb& color) const;
   bool reflect(std::size_t ray, std::size_t to);
   void add_light(const LightDescription& light, const ShadingPoints& points);
+  void depart(const ShadowRays& shadows);
 
   const ShadingCode& code_;
   const Scene& scene_;

@@ -126,8 +126,10 @@ void TileRenderer::shade_in_packets(const Tile& tile, int k, Film& film) {
     const int first = column(std::floor(seen.first));
     const int last = std::max(first, column(std::ceil(seen.last)));
     beyond_bounds_ += static_cast<std::uint64_t>(rows * (columns - (last - first)));
+    const auto in_a_row = static_cast<std::size_t>(strip.x1 - strip.x0);
     if (first == last) {
-      each_pixel(strip, [&](int x, int y) { film.set(x, y, empty); });
+      colors_.assign(in_a_row, empty);
+      for (int y = strip.y0; y < strip.y1; ++y) film.set(strip.x0, y, colors_);
       continue;
     }
     const int left = k * strip.x0;
@@ -135,11 +137,14 @@ void TileRenderer::shade_in_packets(const Tile& tile, int k, Film& film) {
     samples_.clear();
     append({left + first, top, left + last, top + rows}, k, samples_,
            [&](int x, int y) { return (y - top) * columns + (x - left); });
-    colors_.assign(static_cast<std::size_t>(columns * rows), job_.view.background);
+    colors_.resize(static_cast<std::size_t>(columns * rows));
+    if (last - first < columns) std::fill(colors_.begin(), colors_.end(), job_.view.background);
     trace_samples();
     if (k == 1) {
-      const Rgb* color = colors_.data();
-      each_pixel(strip, [&](int x, int y) { film.set(x, y, *color++); });
+      std::span<const Rgb> rest = colors_;
+      for (int y = strip.y0; y < strip.y1; ++y, rest = rest.subspan(in_a_row)) {
+        film.set(strip.x0, y, rest.first(in_a_row));
+      }
       continue;
     }
     each_pixel(strip, [&](int x, int y) {
