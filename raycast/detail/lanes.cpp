@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "csg/instruction_set.h"
 #include "csg/lane_targets.h"
 #include "raycast/detail/compress_table.h"
 
@@ -295,15 +296,14 @@ namespace csgcast::detail {
 std::span<const LaneCode> lane_codes() {
   static const std::vector<LaneCode> codes = [] {
     std::vector<LaneCode> found;
-    const auto supported = hwy::SupportedTargets();
 #if HWY_TARGETS & HWY_AVX3
-    if ((supported & HWY_AVX3) != 0) found.push_back(N_AVX3::lane_code("AVX-512"));
+    if (has(InstructionSet::avx512)) found.push_back(N_AVX3::lane_code("AVX-512"));
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    if ((supported & HWY_AVX2) != 0) found.push_back(N_AVX2::lane_code("AVX2"));
+    if (has(InstructionSet::avx2)) found.push_back(N_AVX2::lane_code("AVX2"));
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    if ((supported & HWY_SSE4) != 0) found.push_back(N_SSE4::lane_code("SSE4"));
+    if (has(InstructionSet::sse4)) found.push_back(N_SSE4::lane_code("SSE4"));
 #endif
     found.push_back(HWY_STATIC_DISPATCH(lane_code)("baseline"));
     return found;

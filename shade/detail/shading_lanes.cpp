@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "csg/instruction_set.h"
 #include "csg/lane_targets.h"
 #include "shade/phong.h"
 
@@ -227,15 +228,14 @@ const ShadingCode& shading_code(std::string_view instructions) {
   };
   static const std::vector<Named> codes = [] {
     std::vector<Named> found;
-    const auto supported = hwy::SupportedTargets();
 #if HWY_TARGETS & HWY_AVX3
-    if ((supported & HWY_AVX3) != 0) found.push_back({"AVX-512", N_AVX3::code()});
+    if (has(InstructionSet::avx512)) found.push_back({"AVX-512", N_AVX3::code()});
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    if ((supported & HWY_AVX2) != 0) found.push_back({"AVX2", N_AVX2::code()});
+    if (has(InstructionSet::avx2)) found.push_back({"AVX2", N_AVX2::code()});
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    if ((supported & HWY_SSE4) != 0) found.push_back({"SSE4", N_SSE4::code()});
+    if (has(InstructionSet::sse4)) found.push_back({"SSE4", N_SSE4::code()});
 #endif
     found.push_back({"baseline", HWY_STATIC_DISPATCH(code)()});
     return found;
