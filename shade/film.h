@@ -43,11 +43,7 @@ class Film {
   float& value(int x, int y, int channel = 0) { return values_[index(x, y) + channel]; }
   float value(int x, int y, int channel = 0) const { return values_[index(x, y) + channel]; }
   Rgb rgb(int x, int y) const { return {value(x, y, 0), value(x, y, 1), value(x, y, 2)}; }
-  void set(int x, int y, Rgb color) {
-    value(x, y, 0) = static_cast<float>(color.r);
-    value(x, y, 1) = static_cast<float>(color.g);
-    value(x, y, 2) = static_cast<float>(color.b);
-  }
+  void set(int x, int y, Rgb color) { set(x, y, std::span<const Rgb>(&color, 1)); }
   /// Pixels of one row, from x on. Precondition: three channels, and they are within the row.
   void set(int x, int y, std::span<const Rgb> colors) {
     float* to = &values_[index(x, y)];

@@ -3,27 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "shade/detail/samples.h"
 #include "shade/detail/shading_lanes.h"
 #include "shade/phong.h"
 
 namespace csgcast::detail {
-
-namespace {
-
-constexpr std::size_t eight = 8;
-
-// Whether all of eight rays see a face from outside.
-bool all_enter(const std::uint8_t* state) {
-  static constexpr std::uint8_t entries[eight] = {FaceArrays::entry, FaceArrays::entry, FaceArrays::entry,
-                                                  FaceArrays::entry, FaceArrays::entry, FaceArrays::entry,
-                                                  FaceArrays::entry, FaceArrays::entry};
-  return std::memcmp(state, entries, eight) == 0;
-}
-
-}  // namespace
 
 bool PacketTracer::suits(const Scene& scene, const View& view, const Camera& camera) {
   return !scene.transmits() && view.settings.max_depth > 0 && camera.rays_are_in_range();
@@ -95,17 +80,11 @@ void PacketTracer::see() {
 // Rays that see nothing get the background, those that see an opaque face from inside go to the tracer; the others are
 // plain. Whether there are any.
 bool PacketTracer::sort_out(std::span<Rgb> colors) {
+  const auto end = std::transform(faces_.state.begin(), faces_.state.begin() + static_cast<std::ptrdiff_t>(count_),
+                                  is_plain_.begin(), [](std::uint8_t state) { return state == FaceArrays::entry; });
+  auto plain = static_cast<std::uint64_t>(std::count(is_plain_.begin(), end, 1));
   std::uint64_t counted = 0;
-  std::uint64_t plain = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (i + eight <= count_ && all_enter(&faces_.state[i])) {
-      std::memset(&is_plain_[i], 1, eight);
-      plain += eight;
-      i += eight - 1;
-      continue;
-    }
-    is_plain_[i] = faces_.state[i] == FaceArrays::entry ? 1 : 0;
-    plain += is_plain_[i];
     if (is_plain_[i] != 0) continue;
     if (faces_.state[i] == FaceArrays::none) {
       ++counted;

@@ -60,7 +60,7 @@ void camera_rays(const CameraFrame& camera, std::size_t count, const double* x, 
 template <class F>
 HWY_INLINE void each_look(const ShadingPoints& points, std::size_t first, M lanes, F&& f) {
   const Tag d;
-  const std::uint32_t* looks = points.look + first;
+  const std::uint32_t* looks = points.look + first;  // far fewer than 2^31
   const V of =
       hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::int32_t, Tag>(), reinterpret_cast<const std::int32_t*>(looks)));
   for (M rest = lanes; !hn::AllFalse(d, rest);) {

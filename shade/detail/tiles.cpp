@@ -108,9 +108,6 @@ void TileRenderer::shade(const Tile& tile, int k, Film& film) {
   });
 }
 
-// In packets. Their colours go where they belong.
-void TileRenderer::trace_samples() { packets_->trace(samples_, colors_); }
-
 void TileRenderer::shade_in_packets(const Tile& tile, int k, Film& film) {
   const int height = std::max(8 / k, 1);
   const double share = 1.0 / (k * k);
@@ -139,7 +136,7 @@ void TileRenderer::shade_in_packets(const Tile& tile, int k, Film& film) {
            [&](int x, int y) { return (y - top) * columns + (x - left); });
     colors_.resize(static_cast<std::size_t>(columns * rows));
     if (last - first < columns) std::fill(colors_.begin(), colors_.end(), job_.view.background);
-    trace_samples();
+    packets_->trace(samples_, colors_);
     if (k == 1) {
       std::span<const Rgb> rest = colors_;
       for (int y = strip.y0; y < strip.y1; ++y, rest = rest.subspan(in_a_row)) {
@@ -190,7 +187,7 @@ void TileRenderer::trace_all_samples(std::span<const Pixel> pixels) {
   colors_.resize(pixels.size() * static_cast<std::size_t>(k * k));
   if (packets_) {
     place_all_samples(pixels);
-    trace_samples();
+    packets_->trace(samples_, colors_);
     return;
   }
   Rgb* color = colors_.data();

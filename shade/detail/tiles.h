@@ -54,7 +54,6 @@ class TileRenderer {
  private:
   void shade(const Tile& tile, int k, Film& film);
   void shade_in_packets(const Tile& tile, int k, Film& film);
-  void trace_samples();
   void trace_all_samples(std::span<const Pixel> pixels);
   void place_all_samples(std::span<const Pixel> pixels);
   void see(const Tile& rectangle, int k);

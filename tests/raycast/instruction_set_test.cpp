@@ -3,9 +3,7 @@
 
 #include <hwy/targets.h>
 
-#include <algorithm>
 #include <catch2/catch.hpp>
-#include <string_view>
 
 #include "raycast/packet_caster.h"
 
