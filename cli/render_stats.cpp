@@ -28,6 +28,9 @@ std::string render_stats(const RenderOptions& options, const RenderReport& repor
   json.member("primary_like_neighbours", report.skipped.primary_like_neighbours);
   json.member("shadow_facing_away", report.skipped.shadow_facing_away);
   json.member("shadow_without_effect", report.skipped.shadow_without_effect);
+  json.member("shadow_leading_away", report.skipped.shadow_leading_away);
+  json.member("reflection_leading_away", report.skipped.reflection_leading_away);
+  json.member("transmission_leading_away", report.skipped.transmission_leading_away);
   json.member("reflection_below_cutoff", report.skipped.reflection_below_cutoff);
   json.member("transmission_below_cutoff", report.skipped.transmission_below_cutoff);
   json.member("depth_limit", report.skipped.depth_limit).end_object();

@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
+#include "cli/huge_pages.h"
 #include "cli/options.h"
 #include "cli/printable.h"
 #include "cli/stopwatch.h"
@@ -49,6 +52,14 @@ Solid selected(Solid solid, const SceneOptions& options, const FileName& file) {
   return only_parts(solid, options.parts);
 }
 
+// A file, or who knows what, of which a scene of thousands of solids may come.
+bool may_be_large(const std::string& path) {
+  constexpr std::uintmax_t small = 1 << 17;
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  return none || size > small;
+}
+
 }  // namespace
 
 void add_scene_options(CLI::App& line, SceneOptions& options) {
@@ -80,6 +91,7 @@ int thread_count(const SceneOptions& options) {
 
 DocumentInput read_document(const SceneOptions& options) {
   const Stopwatch watch;
+  if (may_be_large(options.path)) use_huge_pages();
   DocumentInput input{text::read_file(options.path)};
   input.read_seconds = watch.seconds();
   return input;

@@ -78,6 +78,11 @@ struct Layer {
   RegionId region;  ///< the transmitting region; not valid for opaque ones
 };
 
+/// The cosine between a ray and the normal of the surface that it departs from, on its side, above which it is certain
+/// that the ray goes to that side: computed with the normal of a face there, it is off by far less (docs/accuracy.md,
+/// "Rays that lead away").
+constexpr double clear_departure = 0x1p-20;
+
 /// A solid compiled for rays: flat, read-only arrays, safe to share between threads.
 class Scene {
  public:
@@ -110,6 +115,13 @@ class Scene {
   const Frame& frame() const { return frame_; }
   /// Of the solid, rounded outward, without the margin of the nodes' boxes.
   const Box& bounds() const { return bounds_; }
+  /// Whether the whole solid lies on the surface's other side, and a straight line that leaves the surface to this one
+  /// does not come back: rays that depart to it by more than clear_departure meet nothing. Exact where it is true;
+  /// false where that is not seen.
+  bool leads_away(SurfaceId surface, Sense side) const {
+    return !leads_away_.empty() && (leads_away_[surface.index()] >> static_cast<unsigned>(side) & 1) != 0;
+  }
+  bool has_sides_that_lead_away() const { return !leads_away_.empty(); }
   const WeldReport& weld_report() const { return weld_report_; }
   /// Of its bounded leaves, for a default camera of an unbounded solid.
   const Box& bounded_leaves() const { return bounded_leaves_; }
@@ -126,6 +138,7 @@ class Scene {
   std::vector<Region> regions_;
   std::vector<Layer> layers_;
   std::vector<Material> looks_;
+  std::vector<std::uint8_t> leads_away_;  // by surface, a bit for each side; or empty
   NodeId root_;
   Box bounds_;
   Box bounded_leaves_;

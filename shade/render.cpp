@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -14,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -105,14 +105,14 @@ class Progress {
 class Threads {
  public:
   explicit Threads(const RenderOptions& options)
-      : tiles_(tiles_of(options.width, options.height)), arena_(threads_of(options, tiles_.size())) {
+      : tiles_(tiles_of(options.width, options.height)), count_(threads_of(options, tiles_.size())), arena_(count_) {
     // More threads than cores need leave; fewer are the arena's own business.
-    const int threads = threads_of(options, tiles_.size());
-    if (threads > tbb::info::default_concurrency()) {
-      more_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    if (count_ > tbb::info::default_concurrency()) {
+      more_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count_));
     }
   }
 
+  std::size_t count() const { return static_cast<std::size_t>(count_); }
   std::span<const detail::Tile> tiles() const { return tiles_; }
 
   template <class Work>
@@ -120,14 +120,20 @@ class Threads {
     arena_.execute(work);
   }
 
-  // Calls work(tile) for each tile.
+  // Calls work(thread, tile) for each tile; threads count from 0.
   template <class Work>
   void each_tile(Work&& work) {
+    // A small picture is done before a scheduler is at work.
+    if (count_ == 1) {
+      for (const detail::Tile& tile : tiles_) work(std::size_t{0}, tile);
+      return;
+    }
     run([&] {
       tbb::parallel_for(
           tbb::blocked_range<std::size_t>(0, tiles_.size(), 1),
           [&](const auto& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) work(tiles_[i]);
+            const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+            for (std::size_t i = range.begin(); i < range.end(); ++i) work(thread, tiles_[i]);
           },
           tbb::simple_partitioner());
     });
@@ -135,6 +141,7 @@ class Threads {
 
  private:
   std::vector<detail::Tile> tiles_;
+  int count_;
   std::optional<tbb::global_control> more_;
   tbb::task_arena arena_;
 };
@@ -142,26 +149,32 @@ class Threads {
 // These threads, each with a renderer of its own.
 class Workers {
  public:
-  Workers(Threads& threads, const detail::Job& job)
-      : threads_(threads), renderers_([&job] { return detail::TileRenderer(job); }) {}
+  Workers(Threads& threads, const detail::Job& job) : threads_(threads), job_(job), renderers_(threads.count()) {}
 
   std::size_t tiles() const { return threads_.tiles().size(); }
 
   // Calls work(renderer, tile) for each tile.
   template <class Work>
   void each_tile(Work&& work) {
-    threads_.each_tile([&](const detail::Tile& tile) { work(renderers_.local(), tile); });
+    threads_.each_tile([&](std::size_t thread, const detail::Tile& tile) {
+      std::unique_ptr<detail::TileRenderer>& renderer = renderers_[thread];
+      if (!renderer) renderer = std::make_unique<detail::TileRenderer>(job_);
+      work(*renderer, tile);
+    });
   }
 
   RenderReport report() const {
     RenderReport report;
-    for (const detail::TileRenderer& renderer : renderers_) report += renderer.report();
+    for (const auto& renderer : renderers_) {
+      if (renderer) report += renderer->report();
+    }
     return report;
   }
 
  private:
   Threads& threads_;
-  tbb::enumerable_thread_specific<detail::TileRenderer> renderers_;
+  const detail::Job& job_;
+  std::vector<std::unique_ptr<detail::TileRenderer>> renderers_;  // null until the thread has a tile
 };
 
 // All pixels with one sample, then those again that this is not enough for. Each step ends before the next begins.

@@ -21,6 +21,9 @@ struct SkipCounts {
   std::uint64_t primary_like_neighbours = 0;  ///< the pixel looks like those around it (Sampling::adaptive)
   std::uint64_t shadow_facing_away = 0;       ///< the light is behind the surface
   std::uint64_t shadow_without_effect = 0;    ///< the light would add nothing even where nothing blocks it
+  std::uint64_t shadow_leading_away = 0;      ///< the solid lies behind the surface: nothing can block the light
+  std::uint64_t reflection_leading_away = 0;  ///< likewise: the ray sees the background
+  std::uint64_t transmission_leading_away = 0;
   std::uint64_t reflection_below_cutoff = 0;  ///< min_contribution is more than what the ray could bring
   std::uint64_t transmission_below_cutoff = 0;
   std::uint64_t depth_limit = 0;  ///< rays that got the background because of max_depth

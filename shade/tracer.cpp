@@ -81,6 +81,12 @@ void Tracer::leave(const Task& task, Fate fate) {
 }
 
 void Tracer::run(const Task& arriving) {
+  if (arriving.departure &&
+      leads_away(arriving.ray.origin(), *arriving.departure, normalised(arriving.ray.direction()))) {
+    ++(arriving.kind == RayKind::reflection ? report_.skipped.reflection_leading_away
+                                            : report_.skipped.transmission_leading_away);
+    return leave(arriving, Fate::left);
+  }
   ++count_of(report_.rays, arriving.kind);
   const std::optional<Boundary> boundary = next_boundary(arriving);
   if (!boundary) return leave(arriving, Fate::left);
@@ -169,7 +175,7 @@ Rgb Tracer::lit(const Spot& spot, std::size_t light, const Task& task) {
   } else if (!(brightest(unshadowed) > 0) || !(brightest(task.weight) > 0)) {
     ++report_.skipped.shadow_without_effect;
   } else {
-    record.weight = passing(spot, {spot.point, from->path}, *from);
+    record.weight = passing(spot, *from);
     result = unshadowed * record.weight;
     record.fate = brightest(record.weight) > 0 ? Fate::arrived : Fate::blocked;
     record.brings = task.weight * result;
@@ -178,12 +184,26 @@ Rgb Tracer::lit(const Spot& spot, std::size_t light, const Task& task) {
   return result;
 }
 
+// Whether a ray in a unit direction meets nothing because the solid is behind the surface that it departs from.
+bool Tracer::leads_away(Point from, const Departure& departure, Vector direction) const {
+  if (!scene_.leads_away(departure.surface, departure.side)) return false;
+  const Vector normal = normalised(gradient(scene_.surface(departure.surface), scene_.frame(), from));
+  const double rise = dot(normal, direction);
+  return (departure.side == Sense::positive ? rise : -rise) > clear_departure;
+}
+
 // The share of a light that reaches the spot: all or nothing, or dimmed by what it passes through.
-Rgb Tracer::passing(const Spot& spot, const Ray& ray, const Illumination& from) {
+Rgb Tracer::passing(const Spot& spot, const Illumination& from) {
+  const Departure departure{spot.boundary.surface, spot.boundary.face.front};
+  if (!spot.boundary.before.region.valid() && leads_away(spot.point, departure, from.to_light)) {
+    ++report_.skipped.shadow_leading_away;
+    return white;
+  }
   ++report_.rays.shadow;
+  const Ray ray(spot.point, from.path);
   const Span span{0, from.is_finite ? 1 : std::numeric_limits<double>::infinity()};
   if (scene_.transmits() && !spot.boundary.out_of_opaque) return passing_media(spot, ray, length(from.path), span);
-  caster_.begin(ray, Departure{spot.boundary.surface, spot.boundary.face.front});
+  caster_.begin(ray, departure);
   // Seen from inside, the opaque solid is a shell: what blocks light is a boundary, not the inside.
   if (spot.boundary.out_of_opaque) return caster_.first_hit(span) ? Rgb{} : white;
   return caster_.any_hit(span) ? Rgb{} : white;

@@ -88,7 +88,8 @@ class Tracer {
   Medium medium(RegionId region, Passage passage, const Interface& where, Medium known);
   Rgb local(const Spot& spot, const Task& task);
   Rgb lit(const Spot& spot, std::size_t light, const Task& task);
-  Rgb passing(const Spot& spot, const Ray& ray, const Illumination& from);
+  bool leads_away(Point from, const Departure& departure, Vector direction) const;
+  Rgb passing(const Spot& spot, const Illumination& from);
   Rgb passing_media(const Spot& spot, const Ray& ray, double unit, Span span);
   template <class LookOf>
   Rgb passing_changes(const Spot& spot, double unit, Span span, LookOf&& look_of);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "csg/simplify.h"
+#include "raycast/detail/enclosure.h"
 
 namespace csgcast {
 namespace {
@@ -90,6 +91,7 @@ Scene SceneCompiler::compile(Solid solid) {
   scene_.children_.shrink_to_fit();
   scene_.operations_.shrink_to_fit();
   scene_.surfaces_ = surfaces_.take(scene_.frame_);
+  scene_.leads_away_ = detail::sides_that_lead_away(scene_);
   return std::move(scene_);
 }
 

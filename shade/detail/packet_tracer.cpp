@@ -40,7 +40,7 @@ void PacketTracer::resize(std::size_t count) {
   }
   for (auto* list : {&sample_, &departure_, &ray_place_, &ray_departure_}) list->resize(count);
   for (auto* list : {&departs_positive_, &blocked_, &ray_departs_positive_}) list->resize(count);
-  is_plain_.resize(count + FaceBuffers::more);
+  for (auto* list : {&is_plain_, &leads_away_}) list->resize(count + FaceBuffers::more);
   weight_.resize(count);
   ones_.resize(count, 1.0);
 }
@@ -120,14 +120,25 @@ void PacketTracer::trace_alone(std::size_t ray, Rgb& color) {
   color = tracer_.trace_on({alone, {SurfaceId(ray_departure_[ray]), side}, depth_, weight_[ray], color});
 }
 
+// Which plain rays' faces lead away.
+void PacketTracer::look_outside() {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Sense side = faces_.comes_positive[i] != 0 ? Sense::positive : Sense::negative;
+    leads_away_[i] = is_plain_[i] != 0 && scene_.leads_away(SurfaceId(faces_.surface[i]), side) ? 1 : 0;
+  }
+}
+
 // Adds what the plain rays' faces show by themselves.
 void PacketTracer::shade(std::span<Rgb> colors) {
+  const bool some_lead_away = scene_.has_sides_that_lead_away();
+  if (some_lead_away) look_outside();
   const ShadingPoints points{count_,
                              is_plain_.data(),
                              {faces_.point[0].data(), faces_.point[1].data(), faces_.point[2].data()},
                              {faces_.normal[0].data(), faces_.normal[1].data(), faces_.normal[2].data()},
                              {direction_[0].data(), direction_[1].data(), direction_[2].data()},
-                             faces_.look.data()};
+                             faces_.look.data(),
+                             some_lead_away ? leads_away_.data() : nullptr};
   code_.unlit(scene_.looks().data(), points, pointers(color_).data());
   for (const LightDescription& light : view_.lights) add_light(light, points);
   const auto [r, g, b] = pointers(color_);
@@ -146,7 +157,7 @@ void PacketTracer::shade(std::span<Rgb> colors) {
 void PacketTracer::reflect(std::span<Rgb> colors) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (is_plain_[i] != 0 && scene_.looks()[faces_.look[i]].reflection > 0 && reflect(i, next)) ++next;
+    if (is_plain_[i] != 0 && scene_.looks()[faces_.look[i]].reflection > 0 && reflect(i, next, colors)) ++next;
   }
   count_ = next;
   if (depth_ + 1 < view_.settings.max_depth) return;
@@ -156,8 +167,9 @@ void PacketTracer::reflect(std::span<Rgb> colors) {
   count_ = 0;
 }
 
-// Puts the ray that one's face reflects where it is told to, at or before its own place; false if it counts too little.
-bool PacketTracer::reflect(std::size_t ray, std::size_t to) {
+// Puts the ray that one's face reflects where it is told to, at or before its own place; false if it counts too little,
+// or is done because it leads away.
+bool PacketTracer::reflect(std::size_t ray, std::size_t to, std::span<Rgb> colors) {
   const Vector d{direction_[0][ray], direction_[1][ray], direction_[2][ray]};
   const Vector out{faces_.normal[0][ray], faces_.normal[1][ray], faces_.normal[2][ray]};
   const Vector direction = normalised(mirrored(d, dot(out, d) > 0 ? -out : out));
@@ -166,6 +178,13 @@ bool PacketTracer::reflect(std::size_t ray, std::size_t to) {
   const bool is_direction = is_finite(direction) && direction != Vector{};
   if (brightest(weight) < view_.settings.min_contribution || !(brightest(weight) > 0) || !is_direction) {
     ++report_.skipped.reflection_below_cutoff;
+    return false;
+  }
+  const bool is_last = depth_ + 1 == view_.settings.max_depth;
+  if (!is_last && scene_.has_sides_that_lead_away() && leads_away_[ray] != 0 && dot(out, direction) > clear_departure) {
+    ++report_.skipped.reflection_leading_away;
+    Rgb& color = colors[ray_place_[ray]];
+    color = color + weight * view_.background;
     return false;
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -186,9 +205,10 @@ void PacketTracer::add_light(const LightDescription& light, const ShadingPoints&
   std::copy_n(pointers(path_).begin(), 3, shadows.path);
   std::copy_n(pointers(light_).begin(), 3, shadows.light);
   shadows.sample = sample_.data();
-  code_.light(scene_.looks().data(), light, points, shadows);
+  code_.light(scene_.looks().data(), light, points, shadows, pointers(color_).data());
   report_.skipped.shadow_facing_away += shadows.facing_away;
   report_.skipped.shadow_without_effect += shadows.without_effect;
+  report_.skipped.shadow_leading_away += shadows.leading_away;
   report_.rays.shadow += shadows.count;
   if (shadows.count == 0) return;
   depart(shadows);

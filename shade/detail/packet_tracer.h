@@ -45,10 +45,11 @@ class PacketTracer {
   void see();
   bool sort_out(std::span<Rgb> colors);
   void trace_alone(std::size_t ray, Rgb& color);
+  void look_outside();
   void shade(std::span<Rgb> colors);
   void reflect(std::span<Rgb> colors);
   void leave(std::size_t ray, Rgb& color) const;
-  bool reflect(std::size_t ray, std::size_t to);
+  bool reflect(std::size_t ray, std::size_t to, std::span<Rgb> colors);
   void add_light(const LightDescription& light, const ShadingPoints& points);
   void depart(const ShadowRays& shadows);
 
@@ -70,7 +71,7 @@ class PacketTracer {
   std::vector<Rgb> weight_;
   Vectors origin_, direction_;
   FaceBuffers faces_;
-  std::vector<std::uint8_t> is_plain_;
+  std::vector<std::uint8_t> is_plain_, leads_away_;
   Vectors color_;
   // By shadow ray, close together.
   Vectors shadow_origin_, path_, light_;

@@ -27,7 +27,8 @@ struct Samples {
 /// those of a packet are neighbours. place(column, row) says where the colour of each belongs.
 template <class Place>
 void append(const Tile& rectangle, int k, Samples& samples, Place&& place) {
-  const auto room = static_cast<std::size_t>((rectangle.x1 - rectangle.x0) * (rectangle.y1 - rectangle.y0));
+  const auto room =
+      static_cast<std::size_t>(rectangle.x1 - rectangle.x0) * static_cast<std::size_t>(rectangle.y1 - rectangle.y0);
   std::size_t count = samples.x.size();
   samples.x.resize(count + room);
   samples.y.resize(count + room);

@@ -10,6 +10,7 @@
 
 #include "csg/instruction_set.h"
 #include "csg/lane_targets.h"
+#include "raycast/scene.h"
 #include "shade/phong.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -71,13 +72,17 @@ HWY_INLINE void each_look(const ShadingPoints& points, std::size_t first, M lane
   }
 }
 
-/// The lanes whose samples are plain.
-HWY_INLINE M plain_lanes(const ShadingPoints& points, std::size_t first, std::size_t count) {
+/// The lanes of samples that a byte says yes of.
+HWY_INLINE M lanes_of(const std::uint8_t* yes) {
   const Tag d;
   const hn::Rebind<std::uint8_t, Tag> bytes;
   const hn::Rebind<std::int32_t, Tag> wider;
-  const V plain = hn::PromoteTo(d, hn::PromoteTo(wider, hn::LoadU(bytes, points.is_plain + first)));
-  return hn::And(hn::FirstN(d, count), hn::Gt(plain, hn::Zero(d)));
+  return hn::Gt(hn::PromoteTo(d, hn::PromoteTo(wider, hn::LoadU(bytes, yes))), hn::Zero(d));
+}
+
+/// The lanes whose samples are plain.
+HWY_INLINE M plain_lanes(const ShadingPoints& points, std::size_t first, std::size_t count) {
+  return hn::And(hn::FirstN(Tag(), count), lanes_of(points.is_plain + first));
 }
 
 void unlit(const Material* looks, const ShadingPoints& points, double* const* color) {
@@ -182,7 +187,15 @@ HWY_INLINE unsigned bits_of(M lanes) {
   return bits[0];
 }
 
-void light(const Material* looks, const LightDescription& description, const ShadingPoints& points, ShadowRays& rays) {
+/// Adds to the lanes' colours.
+HWY_INLINE void add(M lanes, const Triples<V>& light, std::size_t first, std::size_t count, double* const* color) {
+  const Tag d;
+  const Triples<V> before = load_lanes(d, color, first, count);
+  store_lanes(d, choose(lanes, before + light, before), color, first, count);
+}
+
+void light(const Material* looks, const LightDescription& description, const ShadingPoints& points, ShadowRays& rays,
+           double* const* color) {
   const Tag d;
   const V zero = hn::Zero(d);
   rays.count = 0;
@@ -208,7 +221,18 @@ void light(const Material* looks, const LightDescription& description, const Sha
     const M counts = hn::And(faces, hn::Gt(hn::Max(hn::Max(brings.x, brings.y), brings.z), zero));
     const M none = hn::AndNot(hn::Or(counts, faces_away), plain);
     rays.without_effect += static_cast<std::uint64_t>(__builtin_popcount(bits_of(none)));
-    append(counts, bits_of(counts), point, from.path, brings, first, rays);
+    M asks = counts;
+    if (points.leads_away != nullptr) {
+      const M rises = hn::Gt(dot(out, from.to_light), hn::Set(d, clear_departure));
+      const M leads_away = hn::And(hn::And(counts, rises), lanes_of(points.leads_away + first));
+      if (!hn::AllFalse(d, leads_away)) {
+        rays.leading_away += static_cast<std::uint64_t>(__builtin_popcount(bits_of(leads_away)));
+        add(leads_away, brings, first, some, color);
+        asks = hn::AndNot(leads_away, counts);
+        if (hn::AllFalse(d, asks)) continue;
+      }
+    }
+    append(asks, bits_of(asks), point, from.path, brings, first, rays);
   }
 }
 

@@ -22,6 +22,8 @@ struct ShadingPoints {
   const double* normal[3] = {};         ///< unit, out of the solid
   const double* direction[3] = {};      ///< of the rays that see them, unit
   const std::uint32_t* look = nullptr;  ///< eight more, of any value
+  /// 1 for those whose outside leads away (Scene::leads_away), eight more; null if there are none.
+  const std::uint8_t* leads_away = nullptr;
 };
 
 /// The shadow rays to one light, close together, and what the light adds if nothing is in their way. Room for as many
@@ -30,6 +32,7 @@ struct ShadowRays {
   std::size_t count = 0;
   std::uint64_t facing_away = 0;     ///< samples without one: the light is behind the surface
   std::uint64_t without_effect = 0;  ///< it would add nothing
+  std::uint64_t leading_away = 0;    ///< nothing can be in its way: the light is added to the colour at once
   double* origin[3] = {};
   double* path[3] = {};  ///< towards the light (Illumination::path)
   double* light[3] = {};
@@ -42,7 +45,8 @@ struct ShadingCode {
                       double* const* origin, double* const* direction);
   /// What plain samples show without any light: ambient and emission. The others get anything.
   void (*unlit)(const Material* looks, const ShadingPoints& points, double* const* color);
-  void (*light)(const Material* looks, const LightDescription& light, const ShadingPoints& points, ShadowRays& rays);
+  void (*light)(const Material* looks, const LightDescription& light, const ShadingPoints& points, ShadowRays& rays,
+                double* const* color);
 };
 
 /// Of one of PacketCaster::instruction_sets(); by default of the best that this machine has.

@@ -68,7 +68,8 @@ TEST_CASE("the option --stats counts rays by kind and times each stage") {
   CHECK(member(stats, "threads") == 1);
   CHECK(member(stats, "primary") + member(stats, "primary_beyond_bounds") == 4 * 40 * 40);
   CHECK(member(stats, "primary_beyond_bounds") > 0);
-  CHECK(member(stats, "shadow") == 4 * 20 * 20);  // the cube fills the middle quarter
+  CHECK(member(stats, "shadow") == 0);
+  CHECK(member(stats, "shadow_leading_away") == 4 * 20 * 20);  // the cube fills the middle quarter
   CHECK(member(stats, "reflection") == 0);
   CHECK(member(stats, "transmission") == 0);
   CHECK(member(stats, "surface_tests") > 0);

@@ -53,6 +53,8 @@ TEST_CASE("packets make the same picture as rays one by one, bit for bit, on any
       CHECK(report.rays.reflection == one_by_one.rays.reflection);
       CHECK(report.skipped.shadow_facing_away == one_by_one.skipped.shadow_facing_away);
       CHECK(report.skipped.shadow_without_effect == one_by_one.skipped.shadow_without_effect);
+      CHECK(report.skipped.shadow_leading_away == one_by_one.skipped.shadow_leading_away);
+      CHECK(report.skipped.reflection_leading_away == one_by_one.skipped.reflection_leading_away);
     }
   }
 }
@@ -119,6 +121,8 @@ TEST_CASE("mirrors, cuts and eyes inside solids look the same in packets, at any
           std::string(view) + "settings(max_depth = " + depth + ", min_contribution = 0.001);" + room;
       const auto [report, one_by_one] = compare_engines(text);
       CHECK(report.skipped.reflection_below_cutoff == one_by_one.skipped.reflection_below_cutoff);
+      CHECK(report.skipped.reflection_leading_away == one_by_one.skipped.reflection_leading_away);
+      CHECK(report.skipped.depth_limit == one_by_one.skipped.depth_limit);
       CHECK(report.skipped.depth_limit == one_by_one.skipped.depth_limit);
     }
   }
