@@ -119,9 +119,10 @@ class Scene {
   /// does not come back: rays that depart to it by more than clear_departure meet nothing. Exact where it is true;
   /// false where that is not seen.
   bool leads_away(SurfaceId surface, Sense side) const {
-    return !leads_away_.empty() && (leads_away_[surface.index()] >> static_cast<unsigned>(side) & 1) != 0;
+    return !leads_away_.empty() && ((leads_away_[surface.index()] >> static_cast<unsigned>(side)) & 1) != 0;
   }
-  bool has_sides_that_lead_away() const { return !leads_away_.empty(); }
+  /// The same of all surfaces, by index: a bit for each side, 1 << Sense. Empty if no side of any leads away.
+  std::span<const std::uint8_t> sides_that_lead_away() const { return leads_away_; }
   const WeldReport& weld_report() const { return weld_report_; }
   /// Of its bounded leaves, for a default camera of an unbounded solid.
   const Box& bounded_leaves() const { return bounded_leaves_; }
@@ -138,7 +139,7 @@ class Scene {
   std::vector<Region> regions_;
   std::vector<Layer> layers_;
   std::vector<Material> looks_;
-  std::vector<std::uint8_t> leads_away_;  // by surface, a bit for each side; or empty
+  std::vector<std::uint8_t> leads_away_;
   NodeId root_;
   Box bounds_;
   Box bounded_leaves_;

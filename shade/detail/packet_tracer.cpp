@@ -122,15 +122,21 @@ void PacketTracer::trace_alone(std::size_t ray, Rgb& color) {
 
 // Which plain rays' faces lead away.
 void PacketTracer::look_outside() {
-  for (std::size_t i = 0; i < count_; ++i) {
-    const Sense side = faces_.comes_positive[i] != 0 ? Sense::positive : Sense::negative;
-    leads_away_[i] = is_plain_[i] != 0 && scene_.leads_away(SurfaceId(faces_.surface[i]), side) ? 1 : 0;
+  const std::uint8_t* const sides = scene_.sides_that_lead_away().data();
+  const std::uint8_t* const plain = is_plain_.data();
+  const std::uint32_t* const surface = faces_.surface.data();
+  const std::uint8_t* const comes_positive = faces_.comes_positive.data();
+  std::uint8_t* const away = leads_away_.data();
+  for (std::size_t i = 0, count = count_; i < count; ++i) {
+    // No branch: the others may have no surface.
+    const unsigned known = sides[plain[i] != 0 ? surface[i] : 0];
+    away[i] = static_cast<std::uint8_t>(plain[i] & (known >> comes_positive[i]));
   }
 }
 
 // Adds what the plain rays' faces show by themselves.
 void PacketTracer::shade(std::span<Rgb> colors) {
-  const bool some_lead_away = scene_.has_sides_that_lead_away();
+  const bool some_lead_away = !scene_.sides_that_lead_away().empty();
   if (some_lead_away) look_outside();
   const ShadingPoints points{count_,
                              is_plain_.data(),
@@ -181,7 +187,8 @@ bool PacketTracer::reflect(std::size_t ray, std::size_t to, std::span<Rgb> color
     return false;
   }
   const bool is_last = depth_ + 1 == view_.settings.max_depth;
-  if (!is_last && scene_.has_sides_that_lead_away() && leads_away_[ray] != 0 && dot(out, direction) > clear_departure) {
+  if (!is_last && !scene_.sides_that_lead_away().empty() && leads_away_[ray] != 0 &&
+      dot(out, direction) > clear_departure) {
     ++report_.skipped.reflection_leading_away;
     Rgb& color = colors[ray_place_[ray]];
     color = color + weight * view_.background;

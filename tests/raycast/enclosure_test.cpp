@@ -52,7 +52,7 @@ Vector rising(RandomSolids& random, Vector normal, double rise) {
 // Sends rays to the sides that lead away, from where others meet the solid: how many there were.
 int check_departures(const Solid& solid, RandomSolids& random, Point center, double radius, int rays) {
   const Scene scene = compile(solid, Welding::derived());
-  if (!scene.has_sides_that_lead_away()) return 0;
+  if (scene.sides_that_lead_away().empty()) return 0;
   Caster caster(scene);
   int sent = 0;
   const auto depart = [&](SurfaceId surface, const Attribution& face, bool outwards) {
