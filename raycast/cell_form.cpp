@@ -5,6 +5,15 @@
 
 namespace csgcast {
 
+CellBox in_frame(const Box& box, const Frame& frame) {
+  CellBox result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    result.lower[axis] = std::ldexp(box.lower[axis] - frame.center[axis], -frame.exponent);
+    result.upper[axis] = std::ldexp(box.upper[axis] - frame.center[axis], -frame.exponent);
+  }
+  return result;
+}
+
 LocalForm local_form(const CellForm& form, const CellBox& box) {
   using Form = QuadricForm;
   const auto& c = form.c;

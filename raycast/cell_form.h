@@ -22,6 +22,9 @@ struct CellBox {
   Vector upper;
 };
 
+/// A box of the scene in the frame's coordinates. Rounds by less than 2^-50 of numbers below 4.
+CellBox in_frame(const Box& box, const Frame& frame);
+
 /// A form about the middle of a box: value + gradient . d + bend(d) for d up to half the box's sides.
 struct LocalForm {
   double value = 0;

@@ -19,16 +19,6 @@ CellBox hull(const CellBox& a, const CellBox& b) {
   return result;
 }
 
-CellBox in_frame(const Box& box, const Frame& frame) {
-  CellBox result;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Rounds by less than 2^-50 of numbers below 4, which the boxes' own margin covers.
-    result.lower[axis] = std::ldexp(box.lower[axis] - frame.center[axis], -frame.exponent);
-    result.upper[axis] = std::ldexp(box.upper[axis] - frame.center[axis], -frame.exponent);
-  }
-  return result;
-}
-
 }  // namespace
 
 CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {

@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "raycast/cell_form.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -16,11 +18,7 @@ bool before(const HalfSpace& a, const HalfSpace& b) {
   return std::pair(a.surface, a.sense) < std::pair(b.surface, b.sense);
 }
 
-Vector in_frame(const Frame& frame, Point p) {
-  Vector q;
-  for (std::size_t axis = 0; axis < 3; ++axis) q[axis] = std::ldexp(p[axis] - frame.center[axis], -frame.exponent);
-  return q;
-}
+CellForm form_of(const Surface& surface) { return {surface.local, surface.center}; }
 
 // Whether a box lies within a plane's half-space, clear of the plane by far more than rounding, of the numbers here as
 // of the places where rays start.
@@ -28,13 +26,12 @@ bool holds(const Scene& scene, const HalfSpace& half_space, const Box& box) {
   constexpr double clearance = 0x1p-40;
   const Surface& plane = scene.surface(half_space.surface);
   if (plane.kind != SurfaceKind::plane || !plane.is_local || !plane.in_range || !box.is_finite()) return false;
-  const double sign = half_space.sense == Sense::negative ? 1 : -1;
-  const Vector lower = in_frame(scene.frame(), box.lower), upper = in_frame(scene.frame(), box.upper);
-  double most = sign * plane.local[Form::one];
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double slope = sign * plane.local[Form::x + axis];
-    most += std::fmax(slope * lower[axis], slope * upper[axis]);
-  }
+  const CellBox place = in_frame(box, scene.frame());
+  const LocalForm f = local_form(form_of(plane), place);
+  const Vector half = 0.5 * (place.upper - place.lower);
+  const double reach =
+      std::fabs(f.gradient.x) * half.x + std::fabs(f.gradient.y) * half.y + std::fabs(f.gradient.z) * half.z;
+  const double most = (half_space.sense == Sense::negative ? f.value : -f.value) + reach;
   return most < -clearance * (plane.first_degree + plane.constant);
 }
 
@@ -59,11 +56,8 @@ bool is_convex(const QuadricForm& f) {
 bool has_sound_normals(const Scene& scene, const Surface& surface, Sense sense) {
   constexpr double depth = 0x1p-20;
   if (!surface.is_local || !scene.bounds().is_finite()) return false;
-  const auto& k = surface.local;
-  const Vector q = in_frame(scene.frame(), scene.bounds().center()) - surface.center;
-  const double value = k[Form::xx] * q.x * q.x + k[Form::yy] * q.y * q.y + k[Form::zz] * q.z * q.z +
-                       k[Form::xy] * q.x * q.y + k[Form::xz] * q.x * q.z + k[Form::yz] * q.y * q.z + k[Form::x] * q.x +
-                       k[Form::y] * q.y + k[Form::z] * q.z + k[Form::one];
+  const Point middle = scene.bounds().center();
+  const double value = local_form(form_of(surface), in_frame({middle, middle}, scene.frame())).value;
   const double size = 4 * surface.second_degree + 2 * surface.first_degree + surface.constant;
   return (sense == Sense::negative ? value : -value) < -depth * size;
 }

@@ -187,8 +187,7 @@ bool PacketTracer::reflect(std::size_t ray, std::size_t to, std::span<Rgb> color
     return false;
   }
   const bool is_last = depth_ + 1 == view_.settings.max_depth;
-  if (!is_last && !scene_.sides_that_lead_away().empty() && leads_away_[ray] != 0 &&
-      dot(out, direction) > clear_departure) {
+  if (!is_last && leads_away_[ray] != 0 && dot(out, direction) > clear_departure) {
     ++report_.skipped.reflection_leading_away;
     Rgb& color = colors[ray_place_[ray]];
     color = color + weight * view_.background;

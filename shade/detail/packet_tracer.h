@@ -71,7 +71,8 @@ class PacketTracer {
   std::vector<Rgb> weight_;
   Vectors origin_, direction_;
   FaceBuffers faces_;
-  std::vector<std::uint8_t> is_plain_, leads_away_;
+  std::vector<std::uint8_t> is_plain_;
+  std::vector<std::uint8_t> leads_away_;  // all 0 where no side of the scene does
   Vectors color_;
   // By shadow ray, close together.
   Vectors shadow_origin_, path_, light_;

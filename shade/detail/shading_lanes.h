@@ -45,6 +45,7 @@ struct ShadingCode {
                       double* const* origin, double* const* direction);
   /// What plain samples show without any light: ambient and emission. The others get anything.
   void (*unlit)(const Material* looks, const ShadingPoints& points, double* const* color);
+  /// The shadow rays to a light. What needs none because it leads away gets its light at once, on top of its colour.
   void (*light)(const Material* looks, const LightDescription& light, const ShadingPoints& points, ShadowRays& rays,
                 double* const* color);
 };

@@ -123,7 +123,6 @@ TEST_CASE("mirrors, cuts and eyes inside solids look the same in packets, at any
       CHECK(report.skipped.reflection_below_cutoff == one_by_one.skipped.reflection_below_cutoff);
       CHECK(report.skipped.reflection_leading_away == one_by_one.skipped.reflection_leading_away);
       CHECK(report.skipped.depth_limit == one_by_one.skipped.depth_limit);
-      CHECK(report.skipped.depth_limit == one_by_one.skipped.depth_limit);
     }
   }
 }
