@@ -266,6 +266,7 @@ void CellBuilder::append(CellData&& part) {
       node.above += nodes;
     } else if (node.above >= 2) {
       node.above += cells;
+      node.set_first_slot(node.first_slot() + slots);
     }
   }
   for (Cell& cell : part.cells) {

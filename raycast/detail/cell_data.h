@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -29,11 +30,14 @@ constexpr double revolved_slack = 0x1p-33;
 struct CellNode {
   static constexpr std::uint32_t no_axis = 3;
 
-  double split = 0;
+  double split = 0;         ///< of an end the bits of its cell's first slot
   std::uint32_t above = 0;  ///< the index of the other child; of an end its cell
   std::uint32_t axis = no_axis;
 
   bool is_end() const { return axis == no_axis; }
+  /// Of an end: told before its cell is in the cache.
+  std::uint64_t first_slot() const { return std::bit_cast<std::uint64_t>(split); }
+  void set_first_slot(std::uint64_t slot) { split = std::bit_cast<double>(slot); }
 };
 
 /// A surface that crosses a cell, and the face that it makes there: a line of the cache, next to the cell's others.

@@ -115,6 +115,7 @@ void CellBuilder::add_steps(const Formula& formula, Cell& cell) {
 double CellBuilder::add_cell(const Formula& formula, const CellBox& box) {
   const auto end_at = [&](std::size_t cell) {
     data_.nodes.push_back({0, static_cast<std::uint32_t>(cell), CellNode::no_axis});
+    data_.nodes.back().set_first_slot(data_.cells[cell].first_slot);
   };
   if (formula.is_constant()) {
     end_at(formula.value ? 1 : 0);
@@ -143,8 +144,8 @@ double CellBuilder::add_cell(const Formula& formula, const CellBox& box) {
     add_slots(formula, surfaces, box, cell);
     if (!has_table) add_steps(formula, cell);
   }
-  end_at(data_.cells.size());
   data_.cells.push_back(cell);
+  end_at(data_.cells.size() - 1);
   return cost_of_cell(surfaces.size());
 }
 

@@ -109,6 +109,14 @@ class Walk : public Sweep<D, wanted> {
   /// Keeps the compiler from making a branch a selection, which would wait for its condition.
   static HWY_INLINE void keep_branch() { asm volatile(""); }
 
+  /// Slots of an end's cell, while the cell itself is on its way: most cells have no more. Some have none, and no slot
+  /// is at the address.
+  HWY_INLINE void fetch_slots(const CellNode& end) const {
+    constexpr std::size_t most = 4;
+    const auto first = reinterpret_cast<std::uintptr_t>(cells_.slots.data()) + end.first_slot() * sizeof(Slot);
+    for (std::size_t i = 0; i < most; ++i) hwy::Prefetch(reinterpret_cast<const Slot*>(first + i * sizeof(Slot)));
+  }
+
   HWY_INLINE void descend(V from, V to, unsigned signs) {
     const D d;
     struct Rest {
@@ -147,6 +155,7 @@ class Walk : public Sweep<D, wanted> {
       }
       const M active = hn::And(live_, hn::Le(from, to));
       if (!hn::AllFalse(d, active)) {
+        fetch_slots(*node);
         visit(cells_.cells[node->above], from, to, active);
         if (hn::AllFalse(d, live_)) return;
       }
