@@ -21,7 +21,6 @@ constexpr double cost_of_node = 1.5;
 constexpr double cost_of_axis_plane = 1;
 constexpr double cost_of_plane = 6;
 constexpr double cost_of_round = 4;
-constexpr double cost_of_revolved = 5;
 constexpr double cost_of_quadric = 8;
 constexpr double cost_of_event = 1;
 // Boxes must be cheaper by so much.
@@ -34,7 +33,6 @@ double cost_of_test(LaneSurface::Kind kind) {
   return kind < LaneSurface::Kind::plane ? cost_of_axis_plane
          : is_plane(kind)                ? cost_of_plane
          : is_round(kind)                ? cost_of_round
-         : is_revolved(kind)             ? cost_of_revolved
                                          : cost_of_quadric;
 }
 
@@ -77,11 +75,13 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
     if (first_side[surface] == none) {
       first_side[surface] = static_cast<std::uint32_t>(tree.sides.size());
       side.slot = static_cast<std::uint32_t>(data.slots.size());
-      const LaneSurface& shape = ground.surfaces[surface];
+      LaneSurface shape = ground.surfaces[surface];
+      // What its form is off is bounded in cells.
+      if (is_revolved(shape.kind)) shape.kind = LaneSurface::Kind::quadric;
       data.slots.emplace_back(shape, from.surface, owners[surface].leaf, owners[surface].look);
       if (is_round(shape.kind)) tree.slack = std::max(tree.slack, round_slack);
-      if (is_revolved(shape.kind)) tree.slack = revolved_slack;
-      if (may_have_twins(shape)) tree.may_have_twins = true;
+      if (may_have_twins(shape, false)) tree.may_have_twins = true;
+      if (may_have_twins(shape, true)) tree.departing_may_have_twins = true;
     } else {
       BoxedSide& first = tree.sides[first_side[surface]];
       side.slot = first.slot;

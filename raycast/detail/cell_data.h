@@ -78,8 +78,9 @@ struct Cell {
   std::uint8_t plane_count = 0;       ///< the first slots, whose surfaces a line crosses but once
   std::uint8_t axis_plane_count = 0;  ///< the first of these: square to an axis of the cells
   bool may_have_twins = false;        ///< a line may meet some of its surfaces twice within slack, and be certain of it
-  bool is_undecided = false;          ///< rays through it are left to the caster
-  bool is_far = false;                ///< infinite, crossed by planes alone
+  bool departing_may_have_twins = false;  ///< a ray may that departs from a surface
+  bool is_undecided = false;              ///< rays through it are left to the caster
+  bool is_far = false;                    ///< infinite, crossed by planes alone
 
   bool value() const { return (table & 1) != 0; }  ///< of a cell that no surface crosses
 };
@@ -143,6 +144,7 @@ struct BoxTree {
   std::vector<Brick> bricks;
   double slack = 0;             ///< as of a cell with all its surfaces
   bool may_have_twins = false;  ///< likewise
+  bool departing_may_have_twins = false;
 };
 
 /// Space in cells, in the frame's coordinates, turned.

@@ -161,14 +161,17 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
     if (surface.kind < LaneSurface::Kind::plane) ++cell.axis_plane_count;
     if (is_round(surface.kind)) cell.slack = std::max(cell.slack, round_slack);
     if (is_revolved(surface.kind)) cell.slack = revolved_slack;
-    if (may_have_twins(surface)) cell.may_have_twins = true;
+    if (may_have_twins(surface, false)) cell.may_have_twins = true;
+    if (may_have_twins(surface, true)) cell.departing_may_have_twins = true;
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
   }
   find_owners(formula, surfaces, box);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Owner& owner = owners_[i];
-    data_.slots.emplace_back(ground_.surfaces[surfaces[i].index()], surfaces[i], owner.is_one ? owner.leaf : LeafId(),
-                             owner.is_one_look ? owner.look : LookId());
+    const LaneSurface& surface = ground_.surfaces[surfaces[i].index()];
+    Slot& slot = data_.slots.emplace_back(surface, surfaces[i], owner.is_one ? owner.leaf : LeafId(),
+                                          owner.is_one_look ? owner.look : LookId());
+    if (is_revolved(surface.kind)) slot.c[5] = revolved_off(surface, box);
   }
 }
 

@@ -19,11 +19,12 @@ HWY_INLINE hn::Vec<BitsOf<D>> logarithm(D d, hn::Vec<BitsOf<D>> power) {
   return hn::Sub(biased_exponent(d, hn::ConvertTo(d, hn::BitCast(whole, power))), hn::Set(BitsOf<D>(), 1023));
 }
 
+/// Two or more of a word's bits are set.
 template <class D>
-HWY_INLINE hn::Mask<D> has_one_bit(D d, hn::Vec<BitsOf<D>> word) {
+HWY_INLINE hn::Mask<D> has_several_bits(D d, hn::Vec<BitsOf<D>> word) {
   const BitsOf<D> bits;
   const auto rest = hn::And(word, hn::Sub(word, hn::Set(bits, 1)));
-  return hn::RebindMask(d, hn::And(hn::Eq(rest, hn::Zero(bits)), hn::Ne(word, hn::Zero(bits))));
+  return hn::RebindMask(d, hn::Ne(rest, hn::Zero(bits)));
 }
 
 /// The crossings of the surfaces of one cell. A surface is positive after an even number of its two events, if it was

@@ -193,17 +193,11 @@ HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadr
   const V discriminant = hn::Sub(bb, ac);
   const V zero = hn::Zero(d);
   const V abs_a = hn::Abs(a);
-  // What f is off within reach, at s.
   constexpr double u = 0x1p-53;
   const double unit = u * std::fmax(1, std::fabs(quadric.c[3]));
-  const V at_middle = hn::MulAdd(set(192 * unit), longest(q), set(std::fabs(quadric.c[5])));
-  const V reach = set(4.0);
-  const auto off_at = [&](V s) {
-    const V size = hn::Min(hn::Abs(s), reach);
-    return hn::MulAdd(hn::MulAdd(set(64 * unit), size, set(512 * unit)), size, at_middle);
-  };
+  const V off = hn::Abs(set(quadric.c[5]));  // what f is, in the cell
   const V magnitude = hn::Add(bb, hn::Abs(ac));
-  const V most_off = hn::Mul(set(1.02), hn::MulAdd(off_at(reach), abs_a, hn::Mul(set(8 * u), magnitude)));
+  const V most_off = hn::MulAdd(hn::Mul(set(1.02), off), abs_a, hn::Mul(set(9 * u), magnitude));
   const auto has_none = hn::Lt(hn::Add(discriminant, most_off), zero);
   const V root = hn::Sqrt(hn::Max(discriminant, set(0x1p-200)));
   const auto falls = hn::Lt(b, zero);
@@ -215,11 +209,10 @@ HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadr
   const V at_far = hn::Mul(sum, hn::Mul(sum, inverse));
   const auto far_is_out = hn::Gt(hn::Abs(sum), hn::Mul(set(4.01), hn::Add(abs_a, set(192 * unit))));
   // Each crossing is off by what f is, over its slope there.
-  const auto is_close = [&](V s) { return hn::Le(hn::Mul(off_at(s), set(0x1p36)), root); };
-  const auto far_is_sound = hn::And(hn::Gt(abs_a, set(256 * unit)), is_close(at_far));
-  const auto is_sound = hn::And(
-      hn::And(hn::Gt(discriminant, hn::Mul(set(0x1p-13), magnitude)), hn::Ge(root, hn::Mul(set(0x1p-30), abs_a))),
-      hn::And(is_close(at_near), hn::Or(far_is_out, far_is_sound)));
+  const V least_root = hn::Max(hn::Mul(set(0x1p36), off), hn::Mul(set(0x1p-30), abs_a));
+  const auto is_sound =
+      hn::And(hn::And(hn::Gt(discriminant, hn::Mul(set(0x1p-13), magnitude)), hn::Ge(root, least_root)),
+              hn::Or(far_is_out, hn::Gt(abs_a, set(256 * unit))));
   const V never = hn::Inf(d);
   const V near_tau = hn::Add(middle, at_near);
   const V far_tau = hn::Add(middle, at_far);

@@ -146,12 +146,27 @@ LaneSurface revolved(const Surface& surface, std::size_t axis) {
 
 }  // namespace
 
-bool may_have_twins(const LaneSurface& surface) {
+bool may_have_twins(const LaneSurface& surface, bool departs) {
   // The two crossings of a round surface that is not open are 2^-11 of its radius apart or more.
   constexpr double least_radius = 0x1p14 * greatest_slack;
-  // Rays that depart take those about an axis for any quadric.
-  return surface.kind == LaneSurface::Kind::quadric || is_revolved(surface.kind) ||
+  // Of one about an axis they are 2^-29 apart or more; rays that depart take it for any quadric.
+  return surface.kind == LaneSurface::Kind::quadric || (departs && is_revolved(surface.kind)) ||
          (is_round(surface.kind) && surface.c[3] < least_radius * least_radius);
+}
+
+double revolved_off(const LaneSurface& surface, const CellBox& box) {
+  // Farther than 4 from its center nothing can matter.
+  constexpr double greatest_reach = 4;
+  double squared = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double part = std::fmax(surface.c[axis] - box.lower[axis], box.upper[axis] - surface.c[axis]);
+    squared += part * part;
+  }
+  // Cells are taken to be wider than they are.
+  const double reach = std::fmin(std::sqrt(squared) + 0x1p-20, greatest_reach);
+  const double unit = u * std::fmax(1, std::fabs(surface.c[3]));
+  const double off = unit * (64 * reach + 704) * reach + std::fabs(surface.c[5]);
+  return std::copysign(off, surface.c[5]);
 }
 
 LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned) {

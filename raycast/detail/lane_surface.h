@@ -22,7 +22,8 @@ struct LaneSurface {
     cylinder_z,
     sphere,  ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
     revolved_x,  ///< any other quadric about a line along an axis, x² + y² - κ z² = ρ from a center: c[0..2] center,
-    revolved_y,  ///< c[3] κ, c[4] ρ, c[5] what ρ is off at most, with the sign that the form has far from the axis
+    revolved_y,  ///< c[3] κ, c[4] ρ, c[5] what ρ is off at most (in a cell's slot: the form, anywhere in the cell),
+                 ///< with the sign that the form has far from the axis
     revolved_z,
     quadric,   ///< Surface has it
     undecided  ///< its doubles decide nothing
@@ -49,10 +50,13 @@ constexpr std::size_t axis_of(LaneSurface::Kind kind) {
   return static_cast<std::size_t>(kind) - static_cast<std::size_t>(first);
 }
 
-/// Whether a line may meet the surface twice within slack of cells, and be certain of it.
-bool may_have_twins(const LaneSurface& surface);
+/// Whether a ray may meet the surface twice within slack of cells, and be certain of it. `departs`: from some surface.
+bool may_have_twins(const LaneSurface& surface, bool departs);
 
 /// `turned`: the surface's form in the axes of the cells; null: these are the frame's.
 LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned);
+
+/// c[5] of a quadric about an axis in a cell: what its form may be off along a line, anywhere in the cell's box.
+double revolved_off(const LaneSurface& surface, const CellBox& box);
 
 }  // namespace csgcast::detail

@@ -93,13 +93,15 @@ class Sweep {
   HWY_INLINE void look_into(const Cell& cell, V from, V to, M active, M starting) {
     const D d;
     crossings_.known = 0;
+    M open = hn::Xor(active, active);
     if constexpr (certified) {
-      flag(hn::And(active, events_.flagged));
-      if (cell.may_have_twins) flag(hn::And(active, twins(d, events_, cell, from, to)));
-      active = hn::And(active, live_);
+      open = hn::And(active, events_.flagged);
+      const bool may_have_twins = departures_ == nullptr ? cell.may_have_twins : cell.departing_may_have_twins;
+      if (may_have_twins) open = hn::Or(open, hn::And(active, twins(d, events_, cell, from, to)));
     }
-    if (!hn::AllFalse(d, hn::And(starting, live_))) start(cell, hn::And(starting, live_));
-    sweep(cell, from, to, hn::And(active, live_));
+    starting = hn::AndNot(open, hn::And(starting, live_));
+    if (!hn::AllFalse(d, starting)) start(cell, starting);
+    sweep(cell, from, to, hn::And(active, live_), open);
   }
 
   /// What lanes start in; those with an event at the start are flagged.
@@ -114,8 +116,8 @@ class Sweep {
   }
 
   /// Event by event, as long as some lane has one in the cell. An event counts as certain if no other is within slack
-  /// of it.
-  HWY_INLINE void sweep(const Cell& cell, V from, V to, M active) {
+  /// of it. `open`: the lanes that know too little of the cell's events.
+  HWY_INLINE void sweep(const Cell& cell, V from, V to, M active, M open) {
     const D d;
     const V slack = events_.slack;
     V limit = hn::Add(to, slack);
@@ -126,7 +128,8 @@ class Sweep {
     covered_ = hn::IfThenElse(active, hn::Max(limit, at), covered_);
     covered_lanes_ = hn::Or(covered_lanes_, active);
     if constexpr (hn::is_single<D> && wanted == Wanted::all) {
-      if (!active || sweep_few(cell, at, limit)) return;
+      flag(open);
+      if (!active || open || sweep_few(cell, at, limit)) return;
     }
     V next = next_event<uses_boxes>(d, events_, cell, at);
     // The lanes with an event to look at. Close to the end of what is asked nothing is certain.
@@ -136,22 +139,20 @@ class Sweep {
       return hn::And(todo, live_);
     };
     M todo = due(active);
-    if (hn::AllFalse(d, todo)) return;
+    if (hn::AllFalse(d, hn::Or(todo, open))) return;
     U state = state_at(cell, at);
-    if constexpr (certified) {
-      const M disagrees = hn::And(todo, hn::Xor(value_of(cell, state), now_inside_));
-      flag(disagrees);
-      todo = hn::AndNot(disagrees, todo);
-    }
-    while (!hn::AllFalse(d, todo)) {
+    if constexpr (certified) open = hn::Or(open, hn::And(todo, hn::Xor(value_of(cell, state), now_inside_)));
+    do {
       const U after = state_at(cell, hn::Add(next, slack));
       U flips = hn::Xor(state, after);
       const M value = value_of(cell, after);
       M changes = hn::And(todo, hn::Xor(value, now_inside_));
       if constexpr (certified) {
-        const M several = hn::AndNot(has_one_bit(d, flips), todo);
-        if (!hn::AllFalse(d, several)) {
-          settle(cell, state, after, next, several, flips);
+        const M several = hn::And(has_several_bits(d, flips), todo);
+        if (HWY_UNLIKELY(!hn::AllFalse(d, hn::Or(several, open)))) {
+          flag(open);
+          open = hn::Xor(open, open);
+          settle(cell, state, after, next, hn::And(several, live_), flips);
           todo = hn::And(todo, live_);
           changes = hn::And(changes, live_);
         }
@@ -162,7 +163,7 @@ class Sweep {
       at = hn::Add(next, slack);
       next = next_event<uses_boxes>(d, events_, cell, at);
       todo = due(hn::And(todo, live_));
-    }
+    } while (!hn::AllFalse(d, todo));
   }
 
   /// The same of a single ray with few events ahead, as far apart as two of their bounds; false, and nothing done, if
@@ -283,7 +284,7 @@ class Sweep {
     const U low = hn::And(flips, hn::Sub(hn::Zero(bits), flips));
     const U high = hn::Xor(flips, low);
     const U later = state_at(cell, hn::Add(next, hn::Add(events_.slack, events_.slack)));
-    const M is_pair = hn::And(has_one_bit(d, high), hn::RebindMask(d, hn::Eq(later, after)));
+    const M is_pair = hn::AndNot(has_several_bits(d, high), hn::RebindMask(d, hn::Eq(later, after)));
     const Order<D> order = order_of_two(d, now_inside_, value_of(cell, after), value_of(cell, hn::Xor(state, low)),
                                         value_of(cell, hn::Xor(state, high)));
     const M settled = hn::And(is_pair, order.does_not_matter);

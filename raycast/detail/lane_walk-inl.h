@@ -91,6 +91,7 @@ class Walk : public Sweep<D, wanted> {
     Cell cell;
     cell.slack = cells_.boxes.slack;
     cell.may_have_twins = cells_.boxes.may_have_twins;
+    cell.departing_may_have_twins = cells_.boxes.departing_may_have_twins;
     cell.step_count = gathered_cell;
     Gatherer<D> gatherer(scene_, cells_, line_, departures_, events_, gathered_, counts_);
     const std::optional<std::size_t> slots = gatherer.gather(from, to, lanes, signs);
