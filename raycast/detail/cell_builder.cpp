@@ -83,9 +83,15 @@ CellData CellBuilder::build(NodeId node, const Formula& whole) {
   if (data_.reaches_beyond) {
     build_outside(whole);
   } else {
-    const Box& world = scene_.node(node).box;  // has a margin of 2^-30 of its coordinates
-    data_.half_size = 0.5 * (world.upper - world.lower);
-    data_.middle = world.lower + data_.half_size;
+    if (data_.is_turned) {
+      const double unit = std::ldexp(1.0, scene_.frame().exponent);
+      data_.half_size = (0.5 * unit) * (data_.box.upper - data_.box.lower);
+      data_.middle = Point{} + (0.5 * unit) * (data_.box.upper + data_.box.lower);
+    } else {
+      const Box& world = scene_.node(node).box;  // has a margin of 2^-30 of its coordinates
+      data_.half_size = 0.5 * (world.upper - world.lower);
+      data_.middle = world.lower + data_.half_size;
+    }
     Formula formula;
     fold(whole, data_.box, formula);
     data_.cost = build(formula, data_.box, 0, most_hopes);

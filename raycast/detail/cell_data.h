@@ -153,7 +153,8 @@ struct CellData {
   std::array<Vector, 3> axes{};  ///< of the cells, in the frame, if turned: unit, square to each other but for rounding
   AxisBounds axis_bounds;
   CellBox box{};          ///< beyond it there is nothing, unless `reaches_beyond`
-  Point middle;           ///< of the solid's box, unless `reaches_beyond`; in the scene's coordinates, not turned
+  Point middle;           ///< of the solid's box, unless `reaches_beyond`; in the scene's coordinates, or, if turned,
+                          ///< in its units along the axes, from the frame's center
   Vector half_size;       ///< of that box, more than it is off
   bool is_empty = false;  ///< there is nothing at all
   bool reaches_beyond = false;

@@ -152,7 +152,8 @@ HWY_INLINE void walk_packet(D d, const Scene& scene, const CellData& cells, cons
   const auto direction = load_lanes(d, rays.direction, first, count);
   // Rays that depart from the solid meet its box.
   const bool may_pass_by = rays.departure == nullptr && !cells.reaches_beyond;
-  if (may_pass_by && hn::AllFalse(d, hn::AndNot(passes_by(d, cells, origin, direction), lanes))) return walk.begin();
+  if (may_pass_by && hn::AllFalse(d, hn::AndNot(passes_by(d, scene.frame(), cells, origin, direction), lanes)))
+    return walk.begin();
   set_line(d, scene.frame(), cells, origin, direction, line);
   prepare_walk(d, cells, rays, first, count, line);
   walk.run(lanes);
