@@ -197,6 +197,46 @@ TEST_CASE("a turned scene costs no more cells, and lanes decide its rays as well
   CHECK(left_of(transformed(plate(), turn), rays) < rays.size() / 100);
 }
 
+TEST_CASE("rays that graze the edges of a turned solid are answered exactly, and those that pass it by meet no cells") {
+  const Vector sides{4, 0.5, 0.25};
+  RandomSolids random(47);
+  for (const double size : {1.0, 0x1p-300, 0x1p300}) {
+    const Transform turn = rotation(30, {1, 2, 3});
+    const Vector offset = size * Vector{3, -2, 1};
+    const Solid turned = transformed(box(size * sides, Centering::centered), turn);
+    const Scene scene = compile(transformed(turned, translation(offset)));
+    const Cells cells(scene);
+    const auto place = [&](Vector at) {
+      const auto row = [&](std::size_t i) { return size * dot(Vector{turn(i, 0), turn(i, 1), turn(i, 2)}, at); };
+      return Point{} + Vector{row(0), row(1), row(2)} + offset;
+    };
+    // Through the box' own box along the scene's axes, which is as wide as it is long.
+    std::vector<Ray> beside;
+    std::vector<Ray> grazing;
+    for (int i = 0; i < 400; ++i) {
+      const double along = random.number(-2, 2);
+      const Point edge = place({along, 0.25, i % 2 == 0 ? 0.125 : -0.125});
+      const Vector direction = place({along + random.number(-2, 2), random.number(1, 2), random.number(-1, 1)}) -
+                               place({along, random.number(-2, -1), random.number(-1, 1)});
+      const double off = std::ldexp(size, -20 - i % 40);
+      grazing.emplace_back(edge + Vector{off, -off, 0} - std::ldexp(1.0, i % 30) * direction, direction);
+      beside.emplace_back(place({along, 0.75, -1}), place({0.1, 0, 1}) - place({0, 0, -1}));
+    }
+    const test::RayBatch batch(grazing);
+    for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
+      for (const std::string_view set : PacketCaster::instruction_sets()) {
+        PacketCaster caster(cells, width, set);
+        check_lists(cells, caster, batch.arrays(), batch);
+        PacketCaster other(cells, width, set);
+        IntervalBatch found;
+        other.intervals(beside, found, {}, Rounding::close);
+        CHECK(found.intervals.empty());
+        CHECK(other.counts().nodes == 0);
+      }
+    }
+  }
+}
+
 TEST_CASE("scenes of many directions have no cells that lanes cannot take") {
   std::vector<Solid> plates;
   for (int i = 0; i < 4; ++i) plates.push_back(transformed(plate(), rotation(10 + 20 * i, {1, 0.5 * i, 2})));
