@@ -65,6 +65,7 @@ bool CellBuilder::add_table(const Formula& formula, std::vector<SurfaceId>& surf
   if (kept.size() > Cell::table_slots) return false;
   cell.table = narrowed(table, kept);
   std::vector<SurfaceId> that_matter;
+  that_matter.reserve(kept.size());
   for (const std::size_t i : kept) that_matter.push_back(surfaces[i]);
   surfaces = std::move(that_matter);
   return true;
