@@ -79,9 +79,7 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
       // What its form is off is bounded in cells.
       if (is_revolved(shape.kind)) shape.kind = LaneSurface::Kind::quadric;
       data.slots.emplace_back(shape, from.surface, owners[surface].leaf, owners[surface].look);
-      if (is_round(shape.kind)) tree.slack = std::max(tree.slack, round_slack);
-      if (may_have_twins(shape, false)) tree.may_have_twins = true;
-      if (may_have_twins(shape, true)) tree.departing_may_have_twins = true;
+      tree.tolerance.allow_for(shape);
     } else {
       BoxedSide& first = tree.sides[first_side[surface]];
       side.slot = first.slot;

@@ -70,17 +70,15 @@ struct Cell {
   static constexpr std::size_t most_steps = 0xfffe;
 
   std::uint64_t table = 0;
-  double slack = 0;  ///< what its surfaces need of it whatever the ray
+  Tolerance tolerance;  ///< of its surfaces
   std::uint32_t first_slot = 0;
   std::uint32_t first_step = 0;
   std::uint16_t step_count = 0;
   std::uint8_t slot_count = 0;
   std::uint8_t plane_count = 0;       ///< the first slots, whose surfaces a line crosses but once
   std::uint8_t axis_plane_count = 0;  ///< the first of these: square to an axis of the cells
-  bool may_have_twins = false;        ///< a line may meet some of its surfaces twice within slack, and be certain of it
-  bool departing_may_have_twins = false;  ///< a ray may that departs from a surface
-  bool is_undecided = false;              ///< rays through it are left to the caster
-  bool is_far = false;                    ///< infinite, crossed by planes alone
+  bool is_undecided = false;          ///< rays through it are left to the caster
+  bool is_far = false;                ///< infinite, crossed by planes alone
 
   bool value() const { return (table & 1) != 0; }  ///< of a cell that no surface crosses
 };
@@ -142,9 +140,7 @@ struct BoxTree {
   std::vector<Conjunction> conjunctions;
   std::vector<BoxedSide> sides;
   std::vector<Brick> bricks;
-  double slack = 0;             ///< as of a cell with all its surfaces
-  bool may_have_twins = false;  ///< likewise
-  bool departing_may_have_twins = false;
+  Tolerance tolerance;  ///< of all surfaces
 };
 
 /// Space in cells, in the frame's coordinates, turned.

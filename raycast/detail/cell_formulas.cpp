@@ -160,10 +160,7 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
     const LaneSurface& surface = ground_.surfaces[surfaces[i].index()];
     if (is_plane(surface.kind)) ++cell.plane_count;
     if (surface.kind < LaneSurface::Kind::plane) ++cell.axis_plane_count;
-    if (is_round(surface.kind)) cell.slack = std::max(cell.slack, round_slack);
-    if (is_revolved(surface.kind)) cell.slack = revolved_slack;
-    if (may_have_twins(surface, false)) cell.may_have_twins = true;
-    if (may_have_twins(surface, true)) cell.departing_may_have_twins = true;
+    cell.tolerance.allow_for(surface);
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
   }
   find_owners(formula, surfaces, box);

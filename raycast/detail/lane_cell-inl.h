@@ -84,7 +84,7 @@ HWY_INLINE void add_events(D d, const Scene& scene, const LineLanes<D>& line, co
 template <class D>
 HWY_INLINE void cell_events(D d, const Scene& scene, const LineLanes<D>& line, const CellData& cells, const Cell& cell,
                             const Departures<D>* departures, Events<D>& events) {
-  clear_events(d, line, cell.slack, events);
+  clear_events(d, line, cell.tolerance.slack, events);
   std::size_t i = 0;
   if (departures == nullptr && !cell.is_far) {
     for (; i < cell.axis_plane_count; ++i) {

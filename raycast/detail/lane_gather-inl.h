@@ -98,7 +98,7 @@ class Gatherer {
   HWY_INLINE std::optional<std::size_t> gather_events(V from, V to, M lanes) {
     const D d;
     const BoxTree& tree = cells_.boxes;
-    clear_events(d, line_, tree.slack, events_);
+    clear_events(d, line_, tree.tolerance.slack, events_);
     gathered_.begin();
     const V margin = hn::Set(d, 4 * greatest_slack);
     const Stretch stretch{hn::Sub(from, margin), hn::Add(to, margin), lanes};

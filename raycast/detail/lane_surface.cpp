@@ -144,14 +144,21 @@ LaneSurface revolved(const Surface& surface, std::size_t axis) {
   return lane;
 }
 
-}  // namespace
-
 bool may_have_twins(const LaneSurface& surface, bool departs) {
   // The two crossings of a round surface that is not open are 2^-11 of its radius apart or more.
   constexpr double least_radius = 0x1p14 * greatest_slack;
   // Of one about an axis they are 2^-29 apart or more; rays that depart take it for any quadric.
   return surface.kind == LaneSurface::Kind::quadric || (departs && is_revolved(surface.kind)) ||
          (is_round(surface.kind) && surface.c[3] < least_radius * least_radius);
+}
+
+}  // namespace
+
+void Tolerance::allow_for(const LaneSurface& surface) {
+  if (is_round(surface.kind)) slack = std::max(slack, round_slack);
+  if (is_revolved(surface.kind)) slack = std::max(slack, revolved_slack);
+  may_have_twins = may_have_twins || detail::may_have_twins(surface, false);
+  departing_may_have_twins = departing_may_have_twins || detail::may_have_twins(surface, true);
 }
 
 double revolved_off(const LaneSurface& surface, const CellBox& box) {

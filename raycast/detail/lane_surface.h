@@ -50,8 +50,14 @@ constexpr std::size_t axis_of(LaneSurface::Kind kind) {
   return static_cast<std::size_t>(kind) - static_cast<std::size_t>(first);
 }
 
-/// Whether a ray may meet the surface twice within slack of cells, and be certain of it. `departs`: from some surface.
-bool may_have_twins(const LaneSurface& surface, bool departs);
+/// What the events of some surfaces need, whatever the ray.
+struct Tolerance {
+  double slack = 0;
+  bool may_have_twins = false;  ///< a line may meet one of them twice within slack of cells, and be certain of it
+  bool departing_may_have_twins = false;  ///< a ray may that departs from a surface
+
+  void allow_for(const LaneSurface& surface);
+};
 
 /// `turned`: the surface's form in the axes of the cells; null: these are the frame's.
 LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned);

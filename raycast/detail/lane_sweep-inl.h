@@ -96,7 +96,8 @@ class Sweep {
     M open = hn::Xor(active, active);
     if constexpr (certified) {
       open = hn::And(active, events_.flagged);
-      const bool may_have_twins = departures_ == nullptr ? cell.may_have_twins : cell.departing_may_have_twins;
+      const bool may_have_twins =
+          departures_ == nullptr ? cell.tolerance.may_have_twins : cell.tolerance.departing_may_have_twins;
       if (may_have_twins) open = hn::Or(open, hn::And(active, twins(d, events_, cell, from, to)));
     }
     starting = hn::AndNot(open, hn::And(starting, live_));

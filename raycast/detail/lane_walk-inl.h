@@ -89,9 +89,7 @@ class Walk : public Sweep<D, wanted> {
   /// As if all were one cell, with the surfaces of what the lanes may meet; false if these are too many.
   bool go_by_boxes(V from, V to, M lanes, unsigned signs) {
     Cell cell;
-    cell.slack = cells_.boxes.slack;
-    cell.may_have_twins = cells_.boxes.may_have_twins;
-    cell.departing_may_have_twins = cells_.boxes.departing_may_have_twins;
+    cell.tolerance = cells_.boxes.tolerance;
     cell.step_count = gathered_cell;
     Gatherer<D> gatherer(scene_, cells_, line_, departures_, events_, gathered_, counts_);
     const std::optional<std::size_t> slots = gatherer.gather(from, to, lanes, signs);
