@@ -11,12 +11,19 @@ namespace csgcast {
 
 namespace {
 
+// What a ray asks for first, and waits for, is written last, without room for more: it is in the cache then.
+void bring_near(detail::CellData& data) {
+  data.cells = std::vector(data.cells);
+  data.nodes = std::vector(data.nodes);
+}
+
 detail::CellData cells_of(const Scene& scene, NodeId node) {
   detail::CellGround ground(scene, node);
   detail::lane_codes();  // finds out once what the machine has, which takes as long as thousands of rays
   const detail::Formula whole = detail::formula_of(scene, node);
   detail::CellData data = detail::CellBuilder(ground, scene.leaves().size()).build(node, whole);
   detail::add_box_tree(ground, whole, data);
+  bring_near(data);
   return data;
 }
 

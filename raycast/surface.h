@@ -22,21 +22,23 @@ struct Surface {
   /// False if a coefficient underflowed beside the largest one: then the doubles decide nothing.
   bool in_range = true;
   bool is_mixed = false;  ///< it has terms xy, xz or yz
-  PackedForm exact;       ///< coprime integers, first non-zero one positive
 
-  /// In the world's coordinates and times a power of two: each coefficient rounded to nearest, the largest near 1.
-  Coefficients world{};
-
-  /// In the frame's coordinates about `center`, f(center + q) times a power of two, rounded likewise. The center, which
-  /// is exact, lies near the leaf that brought a quadric, and is the frame's own for a plane.
+  // What is asked of a surface that a ray hits comes first, side by side.
+  double second_degree = 0;  ///< sum of the magnitudes of local's second-degree coefficients
+  /// In the frame's coordinates about `center`, f(center + q) times a power of two: each coefficient rounded to
+  /// nearest, the largest near 1. The center, which is exact, lies near the leaf that brought a quadric, and is the
+  /// frame's own for a plane.
   Coefficients local{};
+  Vector center;
+  Vector normal{};          ///< of a plane: the gradient, unit, as normalised() gives it
+  double first_degree = 0;  ///< sum of the magnitudes of local's first-degree coefficients
+  double constant = 0;      ///< of its constant
   /// What the rounding of `local` left over, rounded: local + local_low is off by a relative 2^-106.
   Coefficients local_low{};
-  Vector center;
-  Vector normal{};           ///< of a plane: the gradient, unit, as normalised() gives it
-  double second_degree = 0;  ///< sum of the magnitudes of local's second-degree coefficients
-  double first_degree = 0;   ///< of its first-degree ones
-  double constant = 0;       ///< of its constant
+
+  /// In the world's coordinates and times a power of two, rounded likewise.
+  Coefficients world{};
+  PackedForm exact;  ///< coprime integers, first non-zero one positive
 };
 
 /// The floating-point forms of a canonical form. `near` should lie near the part of the surface that is seen; any

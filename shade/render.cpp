@@ -233,6 +233,8 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   check(options);
   const Camera camera(view.camera, options.width, options.height);
   Threads threads(options);
+  Film film(options.width, options.height, content(options.mode));
+  detail::shading_code(options.instructions);
   const auto before_cells = Clock::now();
   std::optional<Cells> cells;
   const bool suits_packets =
@@ -241,9 +243,6 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   std::optional<LayerCells> layer_cells;
   const bool suits_layers = options.mode == Mode::shaded && LayerCells::suits(scene) && view.settings.max_depth > 0;
   if (options.engine == Engine::packets && suits_layers) threads.run([&] { layer_cells.emplace(scene); });
-  // What is there before the first ray: memory for the picture, and the code for this machine.
-  Film film(options.width, options.height, content(options.mode));
-  detail::shading_code(options.instructions);
   const auto start = Clock::now();
   const double cpu_start = cpu_seconds();
   const int grid = grid_of(options);

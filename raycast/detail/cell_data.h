@@ -61,8 +61,9 @@ struct Step {
   std::uint64_t want = 0;  ///< and those whose positive side they take
 };
 
-/// A part of space with what the tree comes to there: bit i of a state says that slot i's surface is positive.
-struct Cell {
+/// A part of space with what the tree comes to there: bit i of a state says that slot i's surface is positive. Half a
+/// line of the cache.
+struct alignas(32) Cell {
   static constexpr unsigned table_slots = 6;  ///< up to these many `table` is the value by state
   static constexpr unsigned most_slots = 62;  ///< and beyond, `steps`; more cells hold none: `is_undecided`
 
@@ -82,6 +83,7 @@ struct Cell {
 
   bool value() const { return (table & 1) != 0; }  ///< of a cell that no surface crosses
 };
+static_assert(sizeof(Cell) == 32);
 
 /// By what lanes know how certain events with planes square to an axis of the cells are, and with cylinders along one
 /// (docs/accuracy.md, "Lanes").

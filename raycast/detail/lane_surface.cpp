@@ -155,8 +155,9 @@ bool may_have_twins(const LaneSurface& surface, bool departs) {
 }  // namespace
 
 void Tolerance::allow_for(const LaneSurface& surface) {
-  if (is_round(surface.kind)) slack = std::max(slack, round_slack);
-  if (is_revolved(surface.kind)) slack = std::max(slack, revolved_slack);
+  const auto widen = [this](double wanted) { slack = std::max(slack, static_cast<float>(wanted)); };
+  if (is_round(surface.kind)) widen(round_slack);
+  if (is_revolved(surface.kind)) widen(revolved_slack);
   may_have_twins = may_have_twins || detail::may_have_twins(surface, false);
   departing_may_have_twins = departing_may_have_twins || detail::may_have_twins(surface, true);
 }

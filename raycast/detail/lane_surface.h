@@ -52,7 +52,7 @@ constexpr std::size_t axis_of(LaneSurface::Kind kind) {
 
 /// What the events of some surfaces need, whatever the ray.
 struct Tolerance {
-  double slack = 0;
+  float slack = 0;              ///< a power of two, or none
   bool may_have_twins = false;  ///< a line may meet one of them twice within slack of cells, and be certain of it
   bool departing_may_have_twins = false;  ///< a ray may that departs from a surface
 
