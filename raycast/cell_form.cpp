@@ -14,10 +14,11 @@ CellBox in_frame(const Box& box, const Frame& frame) {
   return result;
 }
 
-LocalForm local_form(const CellForm& form, const CellBox& box) {
+LocalForm local_form(const CellForm& form, const CellBox& box) { return local_form(form, box, slack_of(form, box)); }
+
+LocalForm local_form(const CellForm& form, const CellBox& box, double slack) {
   using Form = QuadricForm;
   const auto& c = form.c;
-  const Vector half = 0.5 * (box.upper - box.lower);
   const Vector p = 0.5 * (box.upper + box.lower) - form.center;
   LocalForm local;
   local.gradient = {2 * c[Form::xx] * p.x + c[Form::xy] * p.y + c[Form::xz] * p.z + c[Form::x],
@@ -27,6 +28,15 @@ LocalForm local_form(const CellForm& form, const CellBox& box) {
                 (c[Form::yy] * p.y + c[Form::yz] * p.z + c[Form::y]) * p.y + (c[Form::zz] * p.z + c[Form::z]) * p.z +
                 c[Form::one];
   for (std::size_t i = 0; i < local.bend.size(); ++i) local.bend[i] = c[i];
+  local.slack = slack;
+  return local;
+}
+
+double slack_of(const CellForm& form, const CellBox& box) {
+  using Form = QuadricForm;
+  const auto& c = form.c;
+  const Vector half = 0.5 * (box.upper - box.lower);
+  const Vector p = 0.5 * (box.upper + box.lower) - form.center;
   // What each term comes to at most; and what moving its argument by as much as coordinates round may change.
   const Vector reach{std::fabs(p.x) + half.x, std::fabs(p.y) + half.y, std::fabs(p.z) + half.z};
   const Vector middle = 0.5 * (box.upper + box.lower);
@@ -44,8 +54,7 @@ LocalForm local_form(const CellForm& form, const CellBox& box) {
   }
   // A coefficient's rounding and some twenty operations come to less than 2^-48 of all terms, the differences of
   // coordinates to less than 2^-51 of these.
-  local.slack = 0x1p-47 * magnitude + 0x1p-50 * moved + form.off;
-  return local;
+  return 0x1p-47 * magnitude + 0x1p-50 * moved + form.off;
 }
 
 }  // namespace csgcast

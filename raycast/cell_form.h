@@ -36,5 +36,9 @@ struct LocalForm {
 /// Precondition: the box is finite. `slack` covers what the rounding of the form, of the box's middle and of the sums
 /// may hide.
 LocalForm local_form(const CellForm& form, const CellBox& box);
+/// That slack; of a box within another one it is at most the other's.
+double slack_of(const CellForm& form, const CellBox& box);
+/// The form with a slack that is known.
+LocalForm local_form(const CellForm& form, const CellBox& box, double slack);
 
 }  // namespace csgcast

@@ -16,36 +16,8 @@ namespace {
 // Leaves with more half-spaces in a box are not searched for those that others imply.
 constexpr std::uint32_t most_compared = 128;
 
-LocalForm multiple(LocalForm form, double s) {
-  form.value *= s;
-  form.gradient = s * form.gradient;
-  for (double& bend : form.bend) bend *= s;
-  return form;
-}
-
 // Trees that have more near a node are not asked what it brings: that takes time by the third power of it.
 constexpr std::size_t most_terms_of_effect = 2048;
-
-// Whether g is negative in the box wherever f is at most 0: then g - s f is so everywhere for some s >= 0.
-bool implies(const LocalForm& f, const LocalForm& g, Vector half) {
-  double product = 0;
-  double squares = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    product += f.gradient[axis] * half[axis] * g.gradient[axis] * half[axis];
-    squares += f.gradient[axis] * half[axis] * f.gradient[axis] * half[axis];
-  }
-  if (!(product > 0)) return false;
-  const double s = product / squares;
-  double most = g.value - s * f.value + g.slack + s * f.slack;
-  for (std::size_t axis = 0; axis < 3; ++axis) most += std::fabs(g.gradient[axis] - s * f.gradient[axis]) * half[axis];
-  for (std::size_t k = 0; k < 6; ++k) {
-    const double bend = g.bend[k] - s * f.bend[k];
-    const std::size_t i = k < 3 ? k : k == 5 ? 1 : 0;
-    const std::size_t j = k < 3 ? k : k == 3 ? 1 : 2;
-    most += (k < 3 ? std::fmax(bend, 0) : std::fabs(bend)) * half[i] * half[j];
-  }
-  return most < 0;
-}
 
 }  // namespace
 
@@ -206,7 +178,7 @@ bool PieceCutter::State::drop_implied(detail::Formula& formula, const CellBox& b
   if (!any) return false;
   detail::Formula rest;
   folder.fold(
-      formula, rest, [](LeafId) { return detail::Known::open; },
+      formula, rest, [](const detail::Term&) { return detail::Known::open; },
       [&](const detail::Term& term) {
         return implied[static_cast<std::size_t>(&term - formula.terms.data())] ? detail::Known::yes
                                                                                : detail::Known::open;
@@ -222,7 +194,7 @@ bool PieceCutter::State::find_implied(const detail::Formula& formula, std::size_
   for (std::size_t i = first; i < end; ++i) {
     forms.push_back(local_form(ground.forms[formula.terms[i].surface().index()], box));
     // Turned so that it is at most 0 inside.
-    if (formula.terms[i].wants_positive()) forms.back() = multiple(forms.back(), -1);
+    if (formula.terms[i].wants_positive()) forms.back() = detail::multiple(forms.back(), -1);
   }
   const Vector half = 0.5 * (box.upper - box.lower);
   bool any = false;
@@ -231,7 +203,7 @@ bool PieceCutter::State::find_implied(const detail::Formula& formula, std::size_
       if (a == b || implied[first + a]) continue;
       if (!space.is_known(formula.terms[first + a].surface().index())) continue;
       if (!space.is_known(formula.terms[first + b].surface().index())) continue;
-      implied[first + b] = implies(forms[a], forms[b], half);
+      implied[first + b] = detail::implies(forms[a], forms[b], half);
       any = any || implied[first + b];
     }
   }
@@ -245,8 +217,8 @@ Piece PieceCutter::State::fold(const detail::Formula& from, const CellBox& box) 
   detail::Formula folded;
   folder.fold(
       from, folded,
-      [&](LeafId leaf) {
-        return detail::apart(ground.leaf_boxes[leaf.index()], box) ? detail::Known::no : detail::Known::open;
+      [&](const detail::Term& leaf) {
+        return detail::apart(ground.leaf_boxes[leaf.what], box) ? detail::Known::no : detail::Known::open;
       },
       [&](const detail::Term& term) {
         const detail::Sides sides = remembered_sides(term.surface().index(), box);

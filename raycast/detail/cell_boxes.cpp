@@ -24,11 +24,14 @@ CellBox hull(const CellBox& a, const CellBox& b) {
 CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {
   const Box& box_of_node = scene.node(node).box;
   if (box_of_node.is_finite() && near_frame(in_frame(box_of_node, scene.frame()))) axes = common_axes(scene);
+  const CellBox near{{-near_side, -near_side, -near_side}, {near_side, near_side, near_side}};
   forms.reserve(scene.surfaces().size());
+  slacks.reserve(scene.surfaces().size());
   surfaces.reserve(scene.surfaces().size());
   for (const Surface& surface : scene.surfaces()) {
     forms.push_back({surface.local, surface.center});
     if (axes) forms.back() = axes->turned(forms.back());
+    slacks.push_back(slack_of_lines(forms.back(), near));
     surfaces.push_back(make_lane_surface(surface, axes ? &forms.back() : nullptr));
   }
   even_look = even_looks(scene);

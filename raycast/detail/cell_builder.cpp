@@ -15,7 +15,7 @@ namespace {
 constexpr int most_depth = 60;
 // How often a split that promises nothing may be tried on the way down.
 constexpr int most_hopes = 3;
-constexpr int hopes_of_large = 3;     // so many more where a cell would have no table
+constexpr int hopes_of_large = 10;    // so many more where a cell would have no table
 constexpr int hopes_of_crowded = 30;  // and where it would be left to the caster
 constexpr std::size_t most_leaves_tried = 12;
 constexpr std::size_t most_candidates = 8;
@@ -94,7 +94,7 @@ CellData CellBuilder::build(NodeId node, const Formula& whole) {
     }
     Formula formula;
     fold(whole, data_.box, formula);
-    data_.cost = build(formula, data_.box, 0, most_hopes);
+    data_.cost = build({formula}, data_.box, 0, most_hopes);
   }
   return std::move(data_);
 }
@@ -120,7 +120,7 @@ void CellBuilder::build_outside(const Formula& whole) {
     const CellBox outer = is_lower ? below(rest, axis, at) : above(rest, axis, at);
     fold(whole, outer, formula);
     if (is_lower) {
-      add_cell(formula, outer);
+      add_cell({formula}, outer);
       data_.nodes[node].above = static_cast<std::uint32_t>(data_.nodes.size());
       rest.lower[axis] = at;
     } else {
@@ -130,12 +130,20 @@ void CellBuilder::build_outside(const Formula& whole) {
   }
   is_outside_ = false;
   fold(whole, rest, formula);
-  build(formula, rest, 0, most_hopes);
+  build({formula}, rest, 0, most_hopes);
   is_outside_ = true;
   for (const Above& above : above_all) {
     data_.nodes[above.node].above = static_cast<std::uint32_t>(data_.nodes.size());
-    add_cell(above.formula, above.box);
+    add_cell({above.formula}, above.box);
   }
+}
+
+// Whether a split since then has the same constant on both sides.
+bool CellBuilder::is_one_constant(const Marks& marks) const {
+  if (data_.nodes.size() != marks.nodes + 3) return false;
+  const CellNode& below = data_.nodes[marks.nodes + 1];
+  const CellNode& above = data_.nodes[marks.nodes + 2];
+  return below.is_end() && above.is_end() && below.above < 2 && below.above == above.above;
 }
 
 void CellBuilder::forget_since(const Marks& marks) {
@@ -149,8 +157,10 @@ Sides CellBuilder::sides_of(SurfaceId id, const CellBox& box) {
   const std::size_t i = id.index();
   if (asked_in_[i] != question_) {
     asked_in_[i] = question_;
-    answer_[i] =
-        ground_.surfaces[i].kind == LaneSurface::Kind::undecided ? Sides::both : sides_in(ground_.forms[i], box);
+    const Vector half = 0.5 * (box.upper - box.lower);
+    answer_[i] = ground_.surfaces[i].kind == LaneSurface::Kind::undecided ? Sides::both
+                 : is_finite(half) ? detail::sides_of(ground_.form_in(i, box), half)
+                                   : sides_in(ground_.forms[i], box);
   }
   return answer_[i];
 }
@@ -160,7 +170,9 @@ void CellBuilder::fold(const Formula& from, const CellBox& box, Formula& result)
   const CellBox wide = inflated(box);
   folder_.fold(
       from, result,
-      [&](LeafId leaf) { return apart(ground_.leaf_boxes[leaf.index()], wide) ? Known::no : Known::open; },
+      [&](const Term& leaf) {
+        return !leaf.is_wider && apart(ground_.leaf_boxes[leaf.what], wide) ? Known::no : Known::open;
+      },
       [&](const Term& term) {
         const Sides sides = sides_of(term.surface(), wide);
         if (sides == Sides::both) return Known::open;
@@ -194,43 +206,52 @@ double CellBuilder::trial_cost(const Formula& formula, const CellBox& box) {
   return cost_of_cell(trial_surfaces_.size());
 }
 
-double CellBuilder::build(const Formula& formula, const CellBox& box, int depth, int hopes) {
-  if (formula.is_constant()) return add_cell(formula, box);
+double CellBuilder::build(const Content& content, const CellBox& box, int depth, int hopes) {
+  const Formula& formula = content.formula;
+  if (formula.is_constant()) return add_cell(content, box);
   std::vector<SurfaceId> surfaces;
   gather_surfaces(formula, surfaces);
+  if (Formula simpler; leave_out_implied(formula, surfaces, box, simpler))
+    return build({simpler, content.with_all != nullptr ? content.with_all : &formula}, box, depth, hopes);
   const double as_one = cost_of_cell(surfaces.size());
-  if (surfaces.size() < 2 || depth == most_depth) return add_cell(formula, box);
+  if (surfaces.size() < 2 || depth == most_depth) return add_cell(content, box);
   std::vector<LeafId> leaves;
   gather_leaves(formula, leaves);
   const bool is_too_large = surfaces.size() > Cell::table_slots;
   double least = std::numeric_limits<double>::infinity();
   for (const LeafId leaf : leaves) least = std::fmin(least, area(ground_.leaf_boxes[leaf.index()]));
-  if (area(box) < least * (is_too_large ? least_share_of_large : least_share)) return add_cell(formula, box);
+  if (area(box) < least * (is_too_large ? least_share_of_large : least_share)) return add_cell(content, box);
   Split split;
   if (leaves.size() > most_leaves_tried) split = split_by_bins(leaves, box);
   if (split.cost == 0 || split.cost > 0.95 * as_one) {
     // Binning sees boxes only. Where they are of no help, a trial of the real thing is, if it is small enough.
-    if (leaves.size() <= 4 * most_leaves_tried) split = split_by_trial(formula, leaves, box);
+    if (surfaces.size() <= 4 * most_leaves_tried) split = split_by_trial(formula, leaves, box);
   }
   const bool is_crowded = surfaces.size() > Cell::most_slots;  // such a cell would be left to the caster
   if (is_crowded && split.cost == 0) split = split_in_half(box);
-  if (split.cost == 0) return add_cell(formula, box);
+  if (split.cost == 0) return add_cell(content, box);
   const bool is_promising = split.cost < as_one;
   const int fewest_hopes = is_crowded ? -hopes_of_crowded : is_too_large ? -hopes_of_large : 0;
-  if (!is_promising && hopes <= fewest_hopes) return add_cell(formula, box);
+  if (!is_promising && hopes <= fewest_hopes) return add_cell(content, box);
   // Where surfaces crowd in more than a place, splits could go on for ever.
-  if (!is_promising && is_crowded && crowded_splits_++ > most_crowded_splits_) return add_cell(formula, box);
+  if (!is_promising && is_crowded && crowded_splits_++ > most_crowded_splits_) return add_cell(content, box);
   const int left = is_promising ? most_hopes : hopes - 1;
 
   const Marks before = marks();
-  const double cost = build_parts(formula, box, split, leaves.size(), depth, left);
+  const double cost = build_parts(content, box, split, leaves.size(), depth, left);
+  if (is_one_constant(before)) {
+    const CellNode end = data_.nodes.back();
+    forget_since(before);
+    data_.nodes.push_back(end);
+    return cost_of_cell(0);
+  }
   if (cost < as_one || is_crowded) return cost;
   forget_since(before);
-  return add_cell(formula, box);
+  return add_cell(content, box);
 }
 
 // The two sides of a split, side by side if they are large.
-double CellBuilder::build_parts(const Formula& formula, const CellBox& box, const Split& split, std::size_t leaves,
+double CellBuilder::build_parts(const Content& content, const CellBox& box, const Split& split, std::size_t leaves,
                                 int depth, int hopes) {
   const std::size_t node = data_.nodes.size();
   data_.nodes.push_back({split.at, 0, static_cast<std::uint32_t>(split.axis)});
@@ -238,11 +259,11 @@ double CellBuilder::build_parts(const Formula& formula, const CellBox& box, cons
   const std::array<double, 2> share{area(parts[0]) / area(box), area(parts[1]) / area(box)};
   Formula folded;
   if (leaves < large || is_outside_ || depth > deepest_task) {
-    fold(formula, parts[0], folded);
-    double cost = cost_of_node + share[0] * build(folded, parts[0], depth + 1, hopes);
+    fold(content.formula, parts[0], folded);
+    double cost = cost_of_node + share[0] * build({folded, content.with_all}, parts[0], depth + 1, hopes);
     data_.nodes[node].above = static_cast<std::uint32_t>(data_.nodes.size());
-    fold(formula, parts[1], folded);
-    cost += share[1] * build(folded, parts[1], depth + 1, hopes);
+    fold(content.formula, parts[1], folded);
+    cost += share[1] * build({folded, content.with_all}, parts[1], depth + 1, hopes);
     return cost;
   }
   std::array<double, 2> costs{};
@@ -250,8 +271,8 @@ double CellBuilder::build_parts(const Formula& formula, const CellBox& box, cons
   const auto build_part = [&](std::size_t part) {
     CellBuilder builder(ground_, leaves);
     Formula own;
-    builder.fold(formula, parts[part], own);
-    costs[part] = builder.build(own, parts[part], depth + 1, hopes);
+    builder.fold(content.formula, parts[part], own);
+    costs[part] = builder.build({own, content.with_all}, parts[part], depth + 1, hopes);
     built[part] = std::move(builder.data_);
   };
   tbb::parallel_invoke([&] { build_part(0); }, [&] { build_part(1); });

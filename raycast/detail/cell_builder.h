@@ -11,6 +11,7 @@
 #include "raycast/detail/cell_data.h"
 #include "raycast/detail/cut_look.h"
 #include "raycast/detail/formula.h"
+#include "raycast/detail/implications.h"
 
 namespace csgcast::detail {
 
@@ -49,6 +50,7 @@ struct CellGround {
   const Scene& scene;
   std::optional<CellAxes> axes;         ///< if they are not the frame's
   std::vector<CellForm> forms;          ///< by surface
+  std::vector<double> slacks;           ///< by surface: of its form in any box that is_near, for lines
   std::vector<LaneSurface> surfaces;    ///< by surface
   std::vector<CellBox> leaf_boxes;      ///< by leaf
   std::vector<std::uint8_t> even_look;  ///< by region: all that it is made of, and its faces, look the same
@@ -59,12 +61,20 @@ struct CellGround {
   /// What a leaf's faces show wherever they are; not valid if that depends on the place. `one_region`: of whatever else
   /// is there nothing belongs to another region.
   LookId look_of(const Leaf& leaf, bool one_region) const;
+  static bool is_near(const CellBox& box) { return longest(box.lower) <= near_side && longest(box.upper) <= near_side; }
+  /// A surface's form about the middle of a box, with a slack that covers lines' places. Precondition: it is finite.
+  LocalForm form_in(std::size_t surface, const CellBox& box) const {
+    const CellForm& form = forms[surface];
+    return local_form(form, box, is_near(box) ? slacks[surface] : slack_of_lines(form, box));
+  }
   /// The box, in the axes of the cells, that holds a box of the scene. Precondition: it is finite.
   CellBox box_of(const Box& world) const;
   /// The same without room beside faces in its sides.
   CellBox tight_box_of(const Box& world) const;
 
  private:
+  static constexpr double near_side = 1.125;  ///< the frame's cube, and room
+
   void place_leaves(NodeId node);
   CellBox box_of_leaf(const Leaf& leaf, const Box& world) const;
   CellBox turned_box_of(NodeId node) const;
@@ -106,17 +116,27 @@ class CellBuilder {
     bool is_one = false;
     bool is_one_look = false;
   };
+  // What the tree comes to in a box.
+  struct Content {
+    const Formula& formula;
+    const Formula* with_all = nullptr;  // of the box or one around it, if surfaces were left out: whose their faces are
+  };
   struct Marks {
     std::size_t nodes, cells, slots, steps;
   };
 
   static double cost_of_cell(std::size_t surfaces);
   void build_outside(const Formula& whole);
-  double build_parts(const Formula& formula, const CellBox& box, const Split& split, std::size_t leaves, int depth,
+  double build_parts(const Content& content, const CellBox& box, const Split& split, std::size_t leaves, int depth,
                      int hopes);
   void append(CellData&& part);
-  double build(const Formula& formula, const CellBox& box, int depth, int hopes);
-  double add_cell(const Formula& formula, const CellBox& box);
+  double build(const Content& content, const CellBox& box, int depth, int hopes);
+  double add_cell(const Content& content, const CellBox& box);
+  bool leave_out_implied(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box,
+                         Formula& simpler);
+  void mark_wider(const Formula& formula, Formula& simpler);
+  bool find_needless(const Formula& formula, std::span<const SurfaceId> surfaces);
+  bool find_implied(const Formula& formula, std::span<const SurfaceId> surfaces);
   void fold(const Formula& from, const CellBox& box, Formula& result);
   Sides sides_of(SurfaceId id, const CellBox& inflated);
   void gather_surfaces(const Formula& formula, std::vector<SurfaceId>& surfaces);
@@ -129,11 +149,12 @@ class CellBuilder {
   std::vector<std::uint64_t> table_of(const Formula& formula, std::span<const SurfaceId> surfaces);
   bool add_table(const Formula& formula, std::vector<SurfaceId>& surfaces, Cell& cell);
   void add_steps(const Formula& formula, Cell& cell);
-  void add_slots(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box, Cell& cell);
+  void add_slots(const Content& content, std::span<const SurfaceId> surfaces, const CellBox& box, Cell& cell);
   void find_owners(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box);
   LookId face_look(const Leaf& leaf, bool one_region, const CellBox& box);
   const HolderTree::Shown& cut_look(const CellBox& box);
   Marks marks() const { return {data_.nodes.size(), data_.cells.size(), data_.slots.size(), data_.steps.size()}; }
+  bool is_one_constant(const Marks& marks) const;
   void forget_since(const Marks& marks);
 
   const CellGround& ground_;
@@ -156,6 +177,12 @@ class CellBuilder {
   HolderTree::Search holder_search_;
   Formula trial_;
   std::vector<SurfaceId> trial_surfaces_;
+  // What is known where half-spaces are left out of a formula, by term.
+  Implications implications_;
+  std::vector<std::uint8_t> literals_;
+  std::vector<Known> known_;
+  std::vector<std::uint32_t> wider_;
+  Formula with_all_;  // what is in the cell that is being made, nothing left out
 };
 
 }  // namespace csgcast::detail

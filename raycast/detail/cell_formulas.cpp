@@ -113,7 +113,8 @@ void CellBuilder::add_steps(const Formula& formula, Cell& cell) {
   cell.step_count = static_cast<std::uint16_t>(count);
 }
 
-double CellBuilder::add_cell(const Formula& formula, const CellBox& box) {
+double CellBuilder::add_cell(const Content& content, const CellBox& box) {
+  const Formula& formula = content.formula;
   const auto end_at = [&](std::size_t cell) {
     data_.nodes.push_back({0, static_cast<std::uint32_t>(cell), CellNode::no_axis});
     data_.nodes.back().set_first_slot(data_.cells[cell].first_slot);
@@ -142,7 +143,7 @@ double CellBuilder::add_cell(const Formula& formula, const CellBox& box) {
         return kind == LaneSurface::Kind::undecided || (is_outside_ && kind > LaneSurface::Kind::plane);
       });
   if (!cell.is_undecided) {
-    add_slots(formula, surfaces, box, cell);
+    add_slots(content, surfaces, box, cell);
     if (!has_table) add_steps(formula, cell);
   }
   data_.cells.push_back(cell);
@@ -150,7 +151,7 @@ double CellBuilder::add_cell(const Formula& formula, const CellBox& box) {
   return cost_of_cell(surfaces.size());
 }
 
-void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box,
+void CellBuilder::add_slots(const Content& content, std::span<const SurfaceId> surfaces, const CellBox& box,
                             Cell& cell) {
   cut_look_.reset();
   cell.first_slot = static_cast<std::uint32_t>(data_.slots.size());
@@ -163,7 +164,8 @@ void CellBuilder::add_slots(const Formula& formula, std::span<const SurfaceId> s
     cell.tolerance.allow_for(surface);
     slot_of_surface_[surfaces[i].index()] = static_cast<std::uint32_t>(i);
   }
-  find_owners(formula, surfaces, box);
+  if (content.with_all != nullptr) fold(*content.with_all, box, with_all_);
+  find_owners(content.with_all != nullptr ? with_all_ : content.formula, surfaces, box);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Owner& owner = owners_[i];
     const LaneSurface& surface = ground_.surfaces[surfaces[i].index()];

@@ -71,36 +71,70 @@ std::pair<double, double> change_in(const LocalForm& f, Vector half) {
   return {down, up};
 }
 
-// Of places along rays, whose coordinates are up to 8 and may be off by 2^-49 each: that moves f by the gradient's
-// bound times as much.
+// Whether a g - s f is negative in the whole box.
+bool is_negative(const LocalForm& g, double a, const LocalForm& f, double s, Vector half) {
+  LocalForm rest;
+  rest.value = a * g.value - s * f.value;
+  const double slack = g.slack + std::fabs(s) * f.slack;
+  if (!(rest.value < -slack)) return false;
+  rest.gradient = a * g.gradient - s * f.gradient;
+  for (std::size_t i = 0; i < rest.bend.size(); ++i) rest.bend[i] = a * g.bend[i] - s * f.bend[i];
+  return rest.value + change_in(rest, half).second < -slack;
+}
+
+}  // namespace
+
+LocalForm multiple(LocalForm form, double s) {
+  form.value *= s;
+  form.gradient = s * form.gradient;
+  for (double& bend : form.bend) bend *= s;
+  return form;
+}
+
+Likeness likeness(const LocalForm& f, const LocalForm& g, Vector half) {
+  Likeness result;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    result.slopes += f.gradient[axis] * half[axis] * g.gradient[axis] * half[axis];
+  for (std::size_t i = 0; i < f.bend.size(); ++i) result.bends += f.bend[i] * g.bend[i];
+  return result;
+}
+
+bool implies(const Signed& f, const Signed& g, Vector half, const Likeness& between, const Likeness& own) {
+  // What is left has the least slope, or, of two spheres, no bend.
+  const double sign = f.sign * g.sign;
+  const auto leaves_negative = [&](double product, double square) {
+    if (!(sign * product > 0)) return false;
+    return is_negative(g.form, g.sign, f.form, f.sign * (sign * product / square), half);
+  };
+  return leaves_negative(between.slopes, own.slopes) || leaves_negative(between.bends, own.bends);
+}
+
+// Coordinates of places along rays are up to 8, and may be off by 2^-49 each.
 double slack_of_lines(const CellForm& form, const CellBox& box) {
   const auto& c = form.c;
   const double reach = longest(0.5 * (box.upper + box.lower) - form.center) + 0.5 * longest(box.upper - box.lower);
   double bend = 0;
   for (std::size_t i = 0; i < Form::x; ++i) bend += std::fabs(c[i]);
   const double slope = std::fabs(c[Form::x]) + std::fabs(c[Form::y]) + std::fabs(c[Form::z]);
-  return form_tolerance * ((bend * reach + slope) * (reach + 8) + bend * reach + std::fabs(c[Form::one]));
+  // That moves f by the gradient's bound times as much.
+  return slack_of(form, box) +
+         form_tolerance * ((bend * reach + slope) * (reach + 8) + bend * reach + std::fabs(c[Form::one]));
 }
 
-}  // namespace
+Sides sides_of(const LocalForm& form, Vector half) {
+  const auto [down, up] = change_in(form, half);
+  if (form.value - down > form.slack) return Sides::positive;
+  if (form.value + up < -form.slack) return Sides::negative;
+  return Sides::both;
+}
 
 Sides sides_within(const CellForm& form, const CellBox& box) {
-  const LocalForm f = local_form(form, box);
-  const auto [down, up] = change_in(f, 0.5 * (box.upper - box.lower));
-  if (f.value - down > f.slack) return Sides::positive;
-  if (f.value + up < -f.slack) return Sides::negative;
-  return Sides::both;
+  return sides_of(local_form(form, box), 0.5 * (box.upper - box.lower));
 }
 
 Sides sides_in(const CellForm& form, const CellBox& box) {
   const Vector half = 0.5 * (box.upper - box.lower);
-  if (!is_finite(half)) return sides_far_out(form, box);
-  const LocalForm f = local_form(form, box);
-  const auto [down, up] = change_in(f, half);
-  const double slack = f.slack + slack_of_lines(form, box);
-  if (f.value - down > slack) return Sides::positive;
-  if (f.value + up < -slack) return Sides::negative;
-  return Sides::both;
+  return is_finite(half) ? sides_of(local_form(form, box, slack_of_lines(form, box)), half) : sides_far_out(form, box);
 }
 
 }  // namespace csgcast::detail

@@ -18,7 +18,36 @@ enum class Sides : std::uint8_t { negative, positive, both };
 /// by more than what the rounding of the form, of the coordinates within |q| < 8 and of this function may hide. Exact
 /// up to that for planes and for forms without mixed terms.
 Sides sides_in(const CellForm& form, const CellBox& box);
+/// The same of a form about the box's middle, by more than its slack. `half`: of the box's sides.
+Sides sides_of(const LocalForm& form, Vector half);
 /// The same for places of the box itself, whose coordinates are exact. Precondition: it is finite.
 Sides sides_within(const CellForm& form, const CellBox& box);
+
+/// The slack of a form about the middle of a box that also covers what coordinates within |q| < 8 are off.
+/// Precondition: the box is finite.
+double slack_of_lines(const CellForm& form, const CellBox& box);
+
+LocalForm multiple(LocalForm form, double s);
+
+/// How alike two forms change in a box: the products of their slopes, and of their bends.
+struct Likeness {
+  double slopes = 0;
+  double bends = 0;
+};
+Likeness likeness(const LocalForm& f, const LocalForm& g, Vector half);
+
+/// A form, or its contrary.
+struct Signed {
+  const LocalForm& form;
+  double sign = 1;
+};
+
+/// Whether g is negative in a box wherever f is at most 0, as far as that is seen from g - s f being negative
+/// everywhere in it for one of two s > 0. `half`: of the box's sides. `between`: of both forms, without their signs;
+/// `own`: of f.
+bool implies(const Signed& f, const Signed& g, Vector half, const Likeness& between, const Likeness& own);
+inline bool implies(const LocalForm& f, const LocalForm& g, Vector half) {
+  return implies({f}, {g}, half, likeness(f, g, half), likeness(f, f, half));
+}
 
 }  // namespace csgcast::detail

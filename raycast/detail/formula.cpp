@@ -117,7 +117,7 @@ Formula joined(Term::Op op, Add&& add) {
   whole.terms.front().size = static_cast<std::uint32_t>(whole.terms.size());
   Formula folded;
   Folder().fold(
-      whole, folded, [](LeafId) { return Known::open; }, [](const Term&) { return Known::open; });
+      whole, folded, [](const Term&) { return Known::open; }, [](const Term&) { return Known::open; });
   return folded;
 }
 

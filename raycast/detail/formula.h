@@ -19,6 +19,7 @@ struct Term {
   std::uint32_t size = 1;  ///< entries of this term, itself included
   std::uint32_t what = 0;  ///< of a leaf its LeafId; of a half-space twice its SurfaceId, plus 1 for the positive side
   Op op = Op::unite;
+  bool is_wider = false;  ///< a leaf that lacks half-spaces which matter to it, but not to the formula
 
   SurfaceId surface() const { return SurfaceId(what >> 1); }
   bool wants_positive() const { return (what & 1) != 0; }
@@ -51,7 +52,7 @@ enum class Known : std::uint8_t { no, yes, open };
 /// stay open. One pass over the terms with a stack of its own; trees may be a million deep. Keeps its memory.
 class Folder {
  public:
-  /// `leaf(LeafId)`: no if the leaf is known to hold nothing; yes or open: ask its half-spaces. `half_space(term)`.
+  /// `leaf(term)`: no if the leaf is known to hold nothing; yes or open: ask its half-spaces. `half_space(term)`.
   template <class LeafKnown, class HalfSpaceKnown>
   void fold(const Formula& from, Formula& result, LeafKnown&& leaf, HalfSpaceKnown&& half_space) {
     begin(from, result);
@@ -60,7 +61,7 @@ class Folder {
       if (term.op == Term::Op::half_space) {
         ++at_;
         deliver(half_space(term), term);
-      } else if (term.op == Term::Op::leaf && leaf(LeafId(term.what)) == Known::no) {
+      } else if (term.op == Term::Op::leaf && leaf(term) == Known::no) {
         at_ += term.size;
         deliver(Known::no, term);
       } else {

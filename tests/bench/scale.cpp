@@ -19,7 +19,6 @@
 #include <exception>
 #include <fstream>
 #include <optional>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,6 +29,7 @@
 #include "raycast/scene.h"
 #include "tests/bench/camera_rays.h"
 #include "tests/bench/packet_query.h"
+#include "tests/bench/random_balls.h"
 #include "tests/bench/timed_work.h"
 
 namespace csgcast::bench {
@@ -42,18 +42,13 @@ constexpr int passes = 5;
 
 /// Balls in the cube [-1, 1], their sizes such that they overlap now and then whatever their number.
 std::vector<Solid> random_balls(std::size_t count) {
-  std::mt19937_64 random(7);
-  // Six decimals, as files have them.
-  const auto number = [&random](double from, double to) {
-    const double share = static_cast<double>(random() >> 11) * 0x1p-53;
-    return std::round((from + (to - from) * share) * 1e6) / 1e6;
-  };
+  RandomNumbers random(7);
   const double greatest = 0.9 / std::cbrt(static_cast<double>(count));
   std::vector<Solid> balls;
   balls.reserve(count + 1);
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = number(-1, 1), y = number(-1, 1), z = number(-1, 1);
-    balls.push_back(transformed(sphere(number(0.3 * greatest, greatest)), translation({x, y, z})));
+    const Vector center = random.in_cube(1);
+    balls.push_back(ball(center, random.between(0.3 * greatest, greatest)));
   }
   return balls;
 }

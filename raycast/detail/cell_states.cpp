@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+
+#include "raycast/detail/cell_builder.h"
+#include "raycast/detail/implications.h"
+#include "raycast/truth_table.h"
+
+// The states that the surfaces of a box can be in: of two balls of which one is within the other there, or apart from
+// it, one state never is. A formula need not depend on a surface whose sign changes nothing in all others.
+
+namespace csgcast::detail {
+namespace {
+
+// Longer formulas are not looked through.
+constexpr std::size_t most_terms = 2048;
+
+}  // namespace
+
+// Leaves out of a formula half-spaces on which it does not depend in any state that is possible in a box; false if
+// there are none, or more surfaces than are looked at.
+bool CellBuilder::leave_out_implied(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box,
+                                    Formula& simpler) {
+  if (surfaces.size() < 2 || surfaces.size() > Implications::most || formula.terms.size() > most_terms || is_outside_)
+    return false;
+  const CellBox wide = inflated(box);
+  implications_.begin(surfaces.size(), 0.5 * (wide.upper - wide.lower));
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const bool is_decided = ground_.surfaces[surfaces[i].index()].kind != LaneSurface::Kind::undecided;
+    if (is_decided) implications_.add(i, ground_.form_in(surfaces[i].index(), wide));
+  }
+  if (!implications_.any()) return false;
+  const bool any =
+      surfaces.size() <= TruthTable::most_values ? find_needless(formula, surfaces) : find_implied(formula, surfaces);
+  if (!any) return false;
+  folder_.fold(
+      formula, simpler, [](const Term&) { return Known::open; },
+      [&](const Term& term) { return known_[static_cast<std::size_t>(&term - formula.terms.data())]; });
+  mark_wider(formula, simpler);
+  return true;
+}
+
+// Leaves of which half-spaces were left out that are not known to hold where the others do.
+void CellBuilder::mark_wider(const Formula& formula, Formula& simpler) {
+  wider_.clear();
+  for (std::size_t at = 0; at < formula.terms.size(); ++at) {
+    const Term& leaf = formula.terms[at];
+    if (leaf.op != Term::Op::leaf) continue;
+    const auto sides = std::span(known_).subspan(at + 1, leaf.size - 1);
+    if (std::find(sides.begin(), sides.end(), Known::yes) != sides.end()) wider_.push_back(leaf.what);
+  }
+  std::sort(wider_.begin(), wider_.end());
+  for (Term& term : simpler.terms) {
+    if (term.op == Term::Op::leaf && std::binary_search(wider_.begin(), wider_.end(), term.what)) term.is_wider = true;
+  }
+}
+
+// By the values in all states: surfaces that may be taken to have one sign everywhere.
+bool CellBuilder::find_needless(const Formula& formula, std::span<const SurfaceId> surfaces) {
+  TruthTable table;
+  const std::vector<std::uint64_t> words = table_of(formula, surfaces);
+  for (std::size_t w = 0; w < words.size(); ++w) table.word(w) = words[w];
+  const TruthTable impossible = implications_.impossible_states();
+  std::array<Known, TruthTable::most_values> positive;
+  positive.fill(Known::open);
+  bool any = false;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    for (const bool value : {false, true}) {
+      const TruthTable fixed = table.with(i, value);
+      if (exceeds(table ^ fixed, impossible)) continue;
+      positive[i] = value ? Known::yes : Known::no;
+      table = fixed;
+      any = true;
+      break;
+    }
+  }
+  if (!any) return false;
+  known_.assign(formula.terms.size(), Known::open);
+  for (std::size_t at = 0; at < formula.terms.size(); ++at) {
+    const Term& term = formula.terms[at];
+    if (term.op != Term::Op::half_space) continue;
+    const auto i =
+        static_cast<std::size_t>(std::find(surfaces.begin(), surfaces.end(), term.surface()) - surfaces.begin());
+    if (positive[i] != Known::open)
+      known_[at] = (positive[i] == Known::yes) == term.wants_positive() ? Known::yes : Known::no;
+  }
+  return true;
+}
+
+// By what else is known where a half-space is asked for: in an intersection that the other operands hold, in a union
+// that they do not.
+bool CellBuilder::find_implied(const Formula& formula, std::span<const SurfaceId> surfaces) {
+  literals_.assign(formula.terms.size(), 0);
+  for (std::size_t at = 0; at < formula.terms.size(); ++at) {
+    const Term& term = formula.terms[at];
+    if (term.op != Term::Op::half_space) continue;
+    const auto i =
+        static_cast<std::size_t>(std::find(surfaces.begin(), surfaces.end(), term.surface()) - surfaces.begin());
+    literals_[at] = static_cast<std::uint8_t>(2 * i + (term.wants_positive() ? 1 : 0));
+  }
+  known_.assign(formula.terms.size(), Known::open);
+  return ContextFold(formula, implications_, literals_, known_).run();
+}
+
+}  // namespace csgcast::detail
