@@ -15,8 +15,9 @@ namespace {
 constexpr int most_depth = 60;
 // How often a split that promises nothing may be tried on the way down.
 constexpr int most_hopes = 3;
-constexpr int hopes_of_large = 10;    // so many more where a cell would have no table
-constexpr int hopes_of_crowded = 30;  // and where it would be left to the caster
+constexpr int hopes_of_large = 3;       // so many more where a cell would have no table
+constexpr int more_hopes_of_large = 7;  // and as long as a budget lasts
+constexpr int hopes_of_crowded = 30;    // and where it would be left to the caster
 constexpr std::size_t most_leaves_tried = 12;
 constexpr std::size_t most_candidates = 8;
 // Parts with so many leaves are built side by side, on so many levels of the tree.
@@ -53,7 +54,10 @@ double CellBuilder::cost_of_cell(std::size_t surfaces) {
 }
 
 CellBuilder::CellBuilder(const CellGround& ground, std::size_t leaves)
-    : ground_(ground), scene_(ground.scene), most_crowded_splits_(2048 + 8 * leaves) {
+    : ground_(ground),
+      scene_(ground.scene),
+      most_crowded_splits_(2048 + 8 * leaves),
+      spare_terms_(32768 + 64 * leaves) {
   const std::size_t surfaces = scene_.surfaces().size();
   asked_in_.assign(surfaces, 0);
   answer_.assign(surfaces, Sides::both);
@@ -136,6 +140,14 @@ void CellBuilder::build_outside(const Formula& whole) {
     data_.nodes[above.node].above = static_cast<std::uint32_t>(data_.nodes.size());
     add_cell({above.formula}, above.box);
   }
+}
+
+// Whether there is a budget left for one more trial of a formula's splits: where surfaces all but coincide, or the same
+// ones come again and again, trials could go on for ever.
+bool CellBuilder::spend(const Formula& formula) {
+  if (spare_terms_ < formula.terms.size()) return false;
+  spare_terms_ -= formula.terms.size();
+  return true;
 }
 
 // Whether a split since then has the same constant on both sides.
@@ -224,15 +236,21 @@ double CellBuilder::build(const Content& content, const CellBox& box, int depth,
   Split split;
   if (leaves.size() > most_leaves_tried) split = split_by_bins(leaves, box);
   if (split.cost == 0 || split.cost > 0.95 * as_one) {
+    constexpr std::size_t most_leaves = 4 * most_leaves_tried;
     // Binning sees boxes only. Where they are of no help, a trial of the real thing is, if it is small enough.
-    if (surfaces.size() <= 4 * most_leaves_tried) split = split_by_trial(formula, leaves, box);
+    if (leaves.size() <= most_leaves ||
+        (surfaces.size() <= most_leaves && formula.terms.size() <= most_terms_tried && spend(formula)))
+      split = split_by_trial(formula, leaves, box);
   }
   const bool is_crowded = surfaces.size() > Cell::most_slots;  // such a cell would be left to the caster
   if (is_crowded && split.cost == 0) split = split_in_half(box);
   if (split.cost == 0) return add_cell(content, box);
   const bool is_promising = split.cost < as_one;
   const int fewest_hopes = is_crowded ? -hopes_of_crowded : is_too_large ? -hopes_of_large : 0;
-  if (!is_promising && hopes <= fewest_hopes) return add_cell(content, box);
+  if (!is_promising && hopes <= fewest_hopes) {
+    const bool is_hopeless = is_crowded || !is_too_large || hopes <= fewest_hopes - more_hopes_of_large;
+    if (is_hopeless || !spend(formula)) return add_cell(content, box);
+  }
   // Where surfaces crowd in more than a place, splits could go on for ever.
   if (!is_promising && is_crowded && crowded_splits_++ > most_crowded_splits_) return add_cell(content, box);
   const int left = is_promising ? most_hopes : hopes - 1;

@@ -99,6 +99,8 @@ class CellBuilder {
 
   /// How far beside a face a split is clear of it: more than what cells and the boxes of leaves are widened by.
   static constexpr double beside = 0x1p-26;
+  /// Formulas with more terms are not folded to see what a split brings, nor searched for what others imply.
+  static constexpr std::size_t most_terms_tried = 2048;
 
  private:
   struct Split {
@@ -154,6 +156,7 @@ class CellBuilder {
   LookId face_look(const Leaf& leaf, bool one_region, const CellBox& box);
   const HolderTree::Shown& cut_look(const CellBox& box);
   Marks marks() const { return {data_.nodes.size(), data_.cells.size(), data_.slots.size(), data_.steps.size()}; }
+  bool spend(const Formula& formula);
   bool is_one_constant(const Marks& marks) const;
   void forget_since(const Marks& marks);
 
@@ -162,6 +165,7 @@ class CellBuilder {
   CellData data_;
   std::size_t most_crowded_splits_;  // that promise nothing
   std::size_t crowded_splits_ = 0;
+  std::size_t spare_terms_;  // of formulas that may still be tried more than usual
   bool is_outside_ = false;  // the cells that are being made are infinite
   Folder folder_;
   FormulaValue value_;

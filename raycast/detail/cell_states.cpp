@@ -10,24 +10,24 @@
 // it, one state never is. A formula need not depend on a surface whose sign changes nothing in all others.
 
 namespace csgcast::detail {
-namespace {
-
-// Longer formulas are not looked through.
-constexpr std::size_t most_terms = 2048;
-
-}  // namespace
 
 // Leaves out of a formula half-spaces on which it does not depend in any state that is possible in a box; false if
 // there are none, or more surfaces than are looked at.
 bool CellBuilder::leave_out_implied(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box,
                                     Formula& simpler) {
-  if (surfaces.size() < 2 || surfaces.size() > Implications::most || formula.terms.size() > most_terms || is_outside_)
+  if (surfaces.size() < 2 || surfaces.size() > Implications::most || formula.terms.size() > most_terms_tried ||
+      is_outside_)
     return false;
   const CellBox wide = inflated(box);
-  implications_.begin(surfaces.size(), 0.5 * (wide.upper - wide.lower));
+  const Vector half = 0.5 * (wide.upper - wide.lower);
+  implications_.begin(surfaces.size(), half);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const bool is_decided = ground_.surfaces[surfaces[i].index()].kind != LaneSurface::Kind::undecided;
-    if (is_decided) implications_.add(i, ground_.form_in(surfaces[i].index(), wide));
+    if (!is_decided) continue;
+    LocalForm form = ground_.form_in(surfaces[i].index(), wide);
+    // A ray that departs from a surface is on the side that it departs to, even if its start is not quite.
+    form.slack += cell_margin * steepness(form, half);
+    implications_.add(i, form);
   }
   if (!implications_.any()) return false;
   const bool any =

@@ -84,6 +84,15 @@ bool is_negative(const LocalForm& g, double a, const LocalForm& f, double s, Vec
 
 }  // namespace
 
+double steepness(const LocalForm& form, Vector half) {
+  const auto& bend = form.bend;
+  double steepest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    steepest += std::fabs(form.gradient[axis]) + 2 * std::fabs(bend[axis]) * half[axis];
+  return steepest + std::fabs(bend[Form::xy]) * (half.x + half.y) + std::fabs(bend[Form::xz]) * (half.x + half.z) +
+         std::fabs(bend[Form::yz]) * (half.y + half.z);
+}
+
 LocalForm multiple(LocalForm form, double s) {
   form.value *= s;
   form.gradient = s * form.gradient;

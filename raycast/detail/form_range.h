@@ -27,6 +27,9 @@ Sides sides_within(const CellForm& form, const CellBox& box);
 /// Precondition: the box is finite.
 double slack_of_lines(const CellForm& form, const CellBox& box);
 
+/// A bound of what moving a place of the box by at most 1 on each axis changes a form, times how far it is moved.
+double steepness(const LocalForm& form, Vector half);
+
 LocalForm multiple(LocalForm form, double s);
 
 /// How alike two forms change in a box: the products of their slopes, and of their bends.

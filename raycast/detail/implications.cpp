@@ -2,6 +2,7 @@
 #include "raycast/detail/implications.h"
 
 namespace csgcast::detail {
+
 void Implications::begin(std::size_t count, Vector half) {
   count_ = count;
   half_ = half;

