@@ -165,52 +165,6 @@ void CellBuilder::forget_since(const Marks& marks) {
   data_.steps.resize(marks.steps);
 }
 
-Sides CellBuilder::sides_of(SurfaceId id, const CellBox& box) {
-  const std::size_t i = id.index();
-  if (asked_in_[i] != question_) {
-    asked_in_[i] = question_;
-    const Vector half = 0.5 * (box.upper - box.lower);
-    answer_[i] = ground_.surfaces[i].kind == LaneSurface::Kind::undecided ? Sides::both
-                 : is_finite(half) ? detail::sides_of(ground_.form_in(i, box), half)
-                                   : sides_in(ground_.forms[i], box);
-  }
-  return answer_[i];
-}
-
-void CellBuilder::fold(const Formula& from, const CellBox& box, Formula& result) {
-  ++question_;
-  const CellBox wide = inflated(box);
-  folder_.fold(
-      from, result,
-      [&](const Term& leaf) {
-        return !leaf.is_wider && apart(ground_.leaf_boxes[leaf.what], wide) ? Known::no : Known::open;
-      },
-      [&](const Term& term) {
-        const Sides sides = sides_of(term.surface(), wide);
-        if (sides == Sides::both) return Known::open;
-        return (sides == Sides::positive) == term.wants_positive() ? Known::yes : Known::no;
-      });
-}
-
-void CellBuilder::gather_surfaces(const Formula& formula, std::vector<SurfaceId>& surfaces) {
-  surfaces.clear();
-  ++sighting_;
-  for (const Term& term : formula.terms) {
-    if (term.op != Term::Op::half_space) continue;
-    std::uint32_t& seen = seen_in_[term.surface().index()];
-    if (seen == sighting_) continue;
-    seen = sighting_;
-    surfaces.push_back(term.surface());
-  }
-}
-
-void CellBuilder::gather_leaves(const Formula& formula, std::vector<LeafId>& leaves) const {
-  leaves.clear();
-  for (const Term& term : formula.terms) {
-    if (term.op == Term::Op::leaf) leaves.emplace_back(term.what);
-  }
-}
-
 // The expected cost of the formula's rays if it were one cell.
 double CellBuilder::trial_cost(const Formula& formula, const CellBox& box) {
   fold(formula, box, trial_);

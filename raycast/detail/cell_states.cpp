@@ -6,10 +6,57 @@
 #include "raycast/detail/implications.h"
 #include "raycast/truth_table.h"
 
-// The states that the surfaces of a box can be in: of two balls of which one is within the other there, or apart from
-// it, one state never is. A formula need not depend on a surface whose sign changes nothing in all others.
+// What a formula comes to in a box, by where its surfaces are; and the states that these can be in: of two balls of
+// which one is within the other there, or apart from it, one state never is. A formula need not depend on a surface
+// whose sign changes nothing in all others.
 
 namespace csgcast::detail {
+
+Sides CellBuilder::sides_of(SurfaceId id, const CellBox& box) {
+  const std::size_t i = id.index();
+  if (asked_in_[i] != question_) {
+    asked_in_[i] = question_;
+    const Vector half = 0.5 * (box.upper - box.lower);
+    answer_[i] = ground_.surfaces[i].kind == LaneSurface::Kind::undecided ? Sides::both
+                 : is_finite(half) ? detail::sides_of(ground_.form_in(i, box), half)
+                                   : sides_in(ground_.forms[i], box);
+  }
+  return answer_[i];
+}
+
+void CellBuilder::fold(const Formula& from, const CellBox& box, Formula& result) {
+  ++question_;
+  const CellBox wide = inflated(box);
+  folder_.fold(
+      from, result,
+      [&](const Term& leaf) {
+        return !leaf.is_wider && apart(ground_.leaf_boxes[leaf.what], wide) ? Known::no : Known::open;
+      },
+      [&](const Term& term) {
+        const Sides sides = sides_of(term.surface(), wide);
+        if (sides == Sides::both) return Known::open;
+        return (sides == Sides::positive) == term.wants_positive() ? Known::yes : Known::no;
+      });
+}
+
+void CellBuilder::gather_surfaces(const Formula& formula, std::vector<SurfaceId>& surfaces) {
+  surfaces.clear();
+  ++sighting_;
+  for (const Term& term : formula.terms) {
+    if (term.op != Term::Op::half_space) continue;
+    std::uint32_t& seen = seen_in_[term.surface().index()];
+    if (seen == sighting_) continue;
+    seen = sighting_;
+    surfaces.push_back(term.surface());
+  }
+}
+
+void CellBuilder::gather_leaves(const Formula& formula, std::vector<LeafId>& leaves) const {
+  leaves.clear();
+  for (const Term& term : formula.terms) {
+    if (term.op == Term::Op::leaf) leaves.emplace_back(term.what);
+  }
+}
 
 // Leaves out of a formula half-spaces on which it does not depend in any state that is possible in a box; false if
 // there are none, or more surfaces than are looked at.
