@@ -132,7 +132,9 @@ class Sweep {
       flag(open);
       if (!active || open || sweep_few(cell, at, limit)) return;
     }
-    V next = next_event<uses_boxes>(d, events_, cell, at);
+    U state;
+    V next;
+    pass_events<uses_boxes>(d, events_, cell, at, state, next);
     // The lanes with an event to look at. Close to the end of what is asked nothing is certain.
     const auto due = [&](M lanes) {
       const M todo = hn::And(lanes, hn::Le(next, limit));
@@ -141,10 +143,12 @@ class Sweep {
     };
     M todo = due(active);
     if (hn::AllFalse(d, hn::Or(todo, open))) return;
-    U state = state_at(cell, at);
     if constexpr (certified) open = hn::Or(open, hn::And(todo, hn::Xor(value_of(cell, state), now_inside_)));
     do {
-      const U after = state_at(cell, hn::Add(next, slack));
+      const V place = next;
+      at = hn::Add(next, slack);
+      U after;
+      pass_events<uses_boxes>(d, events_, cell, at, after, next);
       U flips = hn::Xor(state, after);
       const M value = value_of(cell, after);
       M changes = hn::And(todo, hn::Xor(value, now_inside_));
@@ -153,7 +157,7 @@ class Sweep {
         if (HWY_UNLIKELY(!hn::AllFalse(d, hn::Or(several, open)))) {
           flag(open);
           open = hn::Xor(open, open);
-          settle(cell, state, after, next, hn::And(several, live_), flips);
+          settle(cell, state, after, place, hn::And(several, live_), flips);
           todo = hn::And(todo, live_);
           changes = hn::And(changes, live_);
         }
@@ -161,8 +165,6 @@ class Sweep {
       record(cell, changes, flips, after);
       state = after;
       now_inside_ = hn::Or(hn::AndNot(changes, now_inside_), hn::And(changes, value));
-      at = hn::Add(next, slack);
-      next = next_event<uses_boxes>(d, events_, cell, at);
       todo = due(hn::And(todo, live_));
     } while (!hn::AllFalse(d, todo));
   }

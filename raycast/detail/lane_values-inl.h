@@ -122,6 +122,39 @@ HWY_INLINE hn::Vec<D> next_event(D d, const Events<D>& events, const Cell& cell,
   return next;
 }
 
+/// Which surfaces are positive after the events up to a place, and the first event after it: `event_state` and
+/// `next_event` by one comparison an event.
+template <bool may_be_many, class D>
+HWY_INLINE void pass_events(D d, const Events<D>& events, const Cell& cell, hn::Vec<D> at, hn::Vec<BitsOf<D>>& state,
+                            hn::Vec<D>& next) {
+  using V = hn::Vec<D>;
+  if constexpr (may_be_many && hn::is_single<D>) {
+    if (cell.slot_count >= fewest_in_lanes) {
+      state = event_state<may_be_many>(d, events, cell, at);
+      next = next_event<may_be_many>(d, events, cell, at);
+      return;
+    }
+  }
+  const BitsOf<D> bits;
+  const V never = hn::Inf(d);
+  auto passed = events.before;
+  V first = never;
+  auto bit = hn::Set(bits, 1);
+  const auto pass = [&](V event) {
+    const auto is_passed = hn::Le(event, at);
+    passed = hn::Xor(passed, hn::IfThenElseZero(hn::RebindMask(bits, is_passed), bit));
+    first = hn::Min(first, hn::IfThenElse(is_passed, never, event));
+  };
+  std::size_t i = 0;
+  for (; i < cell.plane_count; ++i, bit = hn::Add(bit, bit)) pass(events.first[i]);
+  for (; i < cell.slot_count; ++i, bit = hn::Add(bit, bit)) {
+    pass(events.first[i]);
+    pass(events.second[i]);
+  }
+  state = passed;
+  next = first;
+}
+
 /// The lanes that meet a surface twice within slack, in the cell or next to it: such a pair hides from states before
 /// and after it.
 template <class D>
