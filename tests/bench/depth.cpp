@@ -8,9 +8,9 @@
 // Usage: bench_depth [CHAINS]
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -249,13 +249,12 @@ void run(std::size_t chains) {
 }  // namespace csgcast::bench
 
 int main(int argc, char** argv) {
-  const int chains = argc > 1 ? std::atoi(argv[1]) : 5;
-  if (argc > 2 || chains < 1) {
-    fmt::print(stderr, "usage: bench_depth [CHAINS], a positive number\n");
-    return 2;
-  }
+  CLI::App app("What nesting costs.");
+  std::size_t chains = 5;
+  app.add_option("CHAINS", chains, "how many chains, each beside its flat rivals")->check(CLI::PositiveNumber);
+  CLI11_PARSE(app, argc, argv);
   try {
-    csgcast::bench::run(static_cast<std::size_t>(chains));
+    csgcast::bench::run(chains);
   } catch (const csgcast::Error& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;
