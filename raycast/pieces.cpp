@@ -16,6 +16,13 @@ namespace {
 // Leaves with more half-spaces in a box are not searched for those that others imply.
 constexpr std::uint32_t most_compared = 128;
 
+LocalForm multiple(LocalForm form, double s) {
+  form.value *= s;
+  form.gradient = s * form.gradient;
+  for (double& bend : form.bend) bend *= s;
+  return form;
+}
+
 // Trees that have more near a node are not asked what it brings: that takes time by the third power of it.
 constexpr std::size_t most_terms_of_effect = 2048;
 
@@ -194,7 +201,7 @@ bool PieceCutter::State::find_implied(const detail::Formula& formula, std::size_
   for (std::size_t i = first; i < end; ++i) {
     forms.push_back(local_form(ground.forms[formula.terms[i].surface().index()], box));
     // Turned so that it is at most 0 inside.
-    if (formula.terms[i].wants_positive()) forms.back() = detail::multiple(forms.back(), -1);
+    if (formula.terms[i].wants_positive()) forms.back() = multiple(forms.back(), -1);
   }
   const Vector half = 0.5 * (box.upper - box.lower);
   bool any = false;

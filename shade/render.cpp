@@ -233,6 +233,8 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
   check(options);
   const Camera camera(view.camera, options.width, options.height);
   Threads threads(options);
+  // What is there before the first ray: memory for the picture, and the code for this machine. Before the cells, which
+  // are to be in the cache then.
   Film film(options.width, options.height, content(options.mode));
   detail::shading_code(options.instructions);
   const auto before_cells = Clock::now();

@@ -136,9 +136,9 @@ class CellBuilder {
   double add_cell(const Content& content, const CellBox& box);
   bool leave_out_implied(const Formula& formula, std::span<const SurfaceId> surfaces, const CellBox& box,
                          Formula& simpler);
+  void set_literals(const Formula& formula, std::span<const SurfaceId> surfaces);
   void mark_wider(const Formula& formula, Formula& simpler);
   bool find_needless(const Formula& formula, std::span<const SurfaceId> surfaces);
-  bool find_implied(const Formula& formula, std::span<const SurfaceId> surfaces);
   void fold(const Formula& from, const CellBox& box, Formula& result);
   Sides sides_of(SurfaceId id, const CellBox& inflated);
   void gather_surfaces(const Formula& formula, std::vector<SurfaceId>& surfaces);

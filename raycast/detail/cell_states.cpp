@@ -19,7 +19,7 @@ Sides CellBuilder::sides_of(SurfaceId id, const CellBox& box) {
     const Vector half = 0.5 * (box.upper - box.lower);
     answer_[i] = ground_.surfaces[i].kind == LaneSurface::Kind::undecided ? Sides::both
                  : is_finite(half) ? detail::sides_of(ground_.form_in(i, box), half)
-                                   : sides_in(ground_.forms[i], box);
+                                   : sides_far_out(ground_.forms[i], box);
   }
   return answer_[i];
 }
@@ -77,14 +77,27 @@ bool CellBuilder::leave_out_implied(const Formula& formula, std::span<const Surf
     implications_.add(i, form);
   }
   if (!implications_.any()) return false;
-  const bool any =
-      surfaces.size() <= TruthTable::most_values ? find_needless(formula, surfaces) : find_implied(formula, surfaces);
+  set_literals(formula, surfaces);
+  known_.assign(formula.terms.size(), Known::open);
+  const bool any = surfaces.size() <= TruthTable::most_values
+                       ? find_needless(formula, surfaces)
+                       : ContextFold(formula, implications_, literals_, known_).run();
   if (!any) return false;
   folder_.fold(
       formula, simpler, [](const Term&) { return Known::open; },
       [&](const Term& term) { return known_[static_cast<std::size_t>(&term - formula.terms.data())]; });
   mark_wider(formula, simpler);
   return true;
+}
+
+void CellBuilder::set_literals(const Formula& formula, std::span<const SurfaceId> surfaces) {
+  literals_.assign(formula.terms.size(), 0);
+  for (std::size_t at = 0; at < formula.terms.size(); ++at) {
+    const Term& term = formula.terms[at];
+    if (term.op != Term::Op::half_space) continue;
+    const auto i = std::find(surfaces.begin(), surfaces.end(), term.surface()) - surfaces.begin();
+    literals_[at] = static_cast<std::uint8_t>(2 * i + (term.wants_positive() ? 1 : 0));
+  }
 }
 
 // Leaves of which half-spaces were left out that are not known to hold where the others do.
@@ -122,31 +135,12 @@ bool CellBuilder::find_needless(const Formula& formula, std::span<const SurfaceI
     }
   }
   if (!any) return false;
-  known_.assign(formula.terms.size(), Known::open);
   for (std::size_t at = 0; at < formula.terms.size(); ++at) {
-    const Term& term = formula.terms[at];
-    if (term.op != Term::Op::half_space) continue;
-    const auto i =
-        static_cast<std::size_t>(std::find(surfaces.begin(), surfaces.end(), term.surface()) - surfaces.begin());
-    if (positive[i] != Known::open)
-      known_[at] = (positive[i] == Known::yes) == term.wants_positive() ? Known::yes : Known::no;
+    if (formula.terms[at].op != Term::Op::half_space) continue;
+    const Known known = positive[literals_[at] / 2];
+    if (known != Known::open) known_[at] = (known == Known::yes) == (literals_[at] % 2 != 0) ? Known::yes : Known::no;
   }
   return true;
-}
-
-// By what else is known where a half-space is asked for: in an intersection that the other operands hold, in a union
-// that they do not.
-bool CellBuilder::find_implied(const Formula& formula, std::span<const SurfaceId> surfaces) {
-  literals_.assign(formula.terms.size(), 0);
-  for (std::size_t at = 0; at < formula.terms.size(); ++at) {
-    const Term& term = formula.terms[at];
-    if (term.op != Term::Op::half_space) continue;
-    const auto i =
-        static_cast<std::size_t>(std::find(surfaces.begin(), surfaces.end(), term.surface()) - surfaces.begin());
-    literals_[at] = static_cast<std::uint8_t>(2 * i + (term.wants_positive() ? 1 : 0));
-  }
-  known_.assign(formula.terms.size(), Known::open);
-  return ContextFold(formula, implications_, literals_, known_).run();
 }
 
 }  // namespace csgcast::detail

@@ -18,46 +18,6 @@ double greatest(double slope, double bend, double reach) {
   return (s + bend * reach) * reach;
 }
 
-// Over a box with infinite sides: f is linear and does not change along them, or it has both signs.
-Sides sides_far_out(const CellForm& form, const CellBox& box) {
-  const auto& c = form.c;
-  for (std::size_t i = 0; i < Form::x; ++i) {
-    if (c[i] != 0) return Sides::both;
-  }
-  double value = c[Form::one];
-  double spread = 0;
-  double magnitude = std::fabs(value);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double slope = c[Form::x + axis];
-    if (slope == 0) continue;
-    const double low = box.lower[axis] - form.center[axis];
-    const double high = box.upper[axis] - form.center[axis];
-    if (!std::isfinite(low) && !std::isfinite(high)) return Sides::both;
-    if (!std::isfinite(low) || !std::isfinite(high)) {
-      // The sign at the finite end is the least extreme one; both if another axis is infinite the other way.
-      const double end = std::isfinite(low) ? low : high;
-      const bool grows = (std::isfinite(low)) == (slope > 0);
-      if (spread != 0 && std::isinf(spread) && (spread > 0) != grows) return Sides::both;
-      spread = grows ? HUGE_VAL : -HUGE_VAL;
-      value += slope * end;
-      magnitude += std::fabs(slope * end);
-      continue;
-    }
-    const double middle = 0.5 * (low + high);
-    value += slope * middle;
-    magnitude += std::fabs(slope) * (std::fabs(low) + std::fabs(high));
-  }
-  double finite_spread = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double size = box.upper[axis] - box.lower[axis];
-    if (std::isfinite(size)) finite_spread += std::fabs(c[Form::x + axis]) * 0.5 * size;
-  }
-  const double slack = finite_spread + form_tolerance * magnitude;
-  if (value > slack && !(spread < 0)) return Sides::positive;
-  if (value < -slack && !(spread > 0)) return Sides::negative;
-  return Sides::both;
-}
-
 // By how much a form may fall below its value in the middle of a box, and rise above.
 std::pair<double, double> change_in(const LocalForm& f, Vector half) {
   const double mixed = std::fabs(f.bend[Form::xy]) * half.x * half.y + std::fabs(f.bend[Form::xz]) * half.x * half.z +
@@ -91,13 +51,6 @@ double steepness(const LocalForm& form, Vector half) {
     steepest += std::fabs(form.gradient[axis]) + 2 * std::fabs(bend[axis]) * half[axis];
   return steepest + std::fabs(bend[Form::xy]) * (half.x + half.y) + std::fabs(bend[Form::xz]) * (half.x + half.z) +
          std::fabs(bend[Form::yz]) * (half.y + half.z);
-}
-
-LocalForm multiple(LocalForm form, double s) {
-  form.value *= s;
-  form.gradient = s * form.gradient;
-  for (double& bend : form.bend) bend *= s;
-  return form;
 }
 
 Likeness likeness(const LocalForm& f, const LocalForm& g, Vector half) {
@@ -141,9 +94,43 @@ Sides sides_within(const CellForm& form, const CellBox& box) {
   return sides_of(local_form(form, box), 0.5 * (box.upper - box.lower));
 }
 
-Sides sides_in(const CellForm& form, const CellBox& box) {
-  const Vector half = 0.5 * (box.upper - box.lower);
-  return is_finite(half) ? sides_of(local_form(form, box, slack_of_lines(form, box)), half) : sides_far_out(form, box);
+Sides sides_far_out(const CellForm& form, const CellBox& box) {
+  const auto& c = form.c;
+  for (std::size_t i = 0; i < Form::x; ++i) {
+    if (c[i] != 0) return Sides::both;
+  }
+  double value = c[Form::one];
+  double spread = 0;
+  double magnitude = std::fabs(value);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double slope = c[Form::x + axis];
+    if (slope == 0) continue;
+    const double low = box.lower[axis] - form.center[axis];
+    const double high = box.upper[axis] - form.center[axis];
+    if (!std::isfinite(low) && !std::isfinite(high)) return Sides::both;
+    if (!std::isfinite(low) || !std::isfinite(high)) {
+      // The sign at the finite end is the least extreme one; both if another axis is infinite the other way.
+      const double end = std::isfinite(low) ? low : high;
+      const bool grows = (std::isfinite(low)) == (slope > 0);
+      if (spread != 0 && std::isinf(spread) && (spread > 0) != grows) return Sides::both;
+      spread = grows ? HUGE_VAL : -HUGE_VAL;
+      value += slope * end;
+      magnitude += std::fabs(slope * end);
+      continue;
+    }
+    const double middle = 0.5 * (low + high);
+    value += slope * middle;
+    magnitude += std::fabs(slope) * (std::fabs(low) + std::fabs(high));
+  }
+  double finite_spread = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double size = box.upper[axis] - box.lower[axis];
+    if (std::isfinite(size)) finite_spread += std::fabs(c[Form::x + axis]) * 0.5 * size;
+  }
+  const double slack = finite_spread + form_tolerance * magnitude;
+  if (value > slack && !(spread < 0)) return Sides::positive;
+  if (value < -slack && !(spread > 0)) return Sides::negative;
+  return Sides::both;
 }
 
 }  // namespace csgcast::detail

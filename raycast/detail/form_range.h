@@ -14,13 +14,13 @@ constexpr double form_tolerance = 0x1p-46;
 /// Where a surface is seen to be within a box.
 enum class Sides : std::uint8_t { negative, positive, both };
 
-/// The sides of the surface that the box may meet: `negative` or `positive` only if f has that sign everywhere in it,
-/// by more than what the rounding of the form, of the coordinates within |q| < 8 and of this function may hide. Exact
-/// up to that for planes and for forms without mixed terms.
-Sides sides_in(const CellForm& form, const CellBox& box);
-/// The same of a form about the box's middle, by more than its slack. `half`: of the box's sides.
+/// The sides of a surface that a box may meet, by its form about the box's middle: `negative` or `positive` only if the
+/// form has that sign everywhere in it, by more than its slack. Exact up to that for planes and for forms without mixed
+/// terms. `half`: of the box's sides.
 Sides sides_of(const LocalForm& form, Vector half);
-/// The same for places of the box itself, whose coordinates are exact. Precondition: it is finite.
+/// The same of a box with infinite sides: f is linear and does not change along them, or it has both signs.
+Sides sides_far_out(const CellForm& form, const CellBox& box);
+/// The same for places of a box itself, whose coordinates are exact. Precondition: it is finite.
 Sides sides_within(const CellForm& form, const CellBox& box);
 
 /// The slack of a form about the middle of a box that also covers what coordinates within |q| < 8 are off.
@@ -29,8 +29,6 @@ double slack_of_lines(const CellForm& form, const CellBox& box);
 
 /// A bound of what moving a place of the box by at most 1 on each axis changes a form, times how far it is moved.
 double steepness(const LocalForm& form, Vector half);
-
-LocalForm multiple(LocalForm form, double s);
 
 /// How alike two forms change in a box: the products of their slopes, and of their bends.
 struct Likeness {

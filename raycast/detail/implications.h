@@ -43,7 +43,9 @@ class Implications {
   std::array<Literals, 2 * most> implied_;
 };
 
-/// Finds half-spaces of a formula that have one value wherever the formula's depends on them, given what implies what.
+/// Finds half-spaces of a formula that have one value wherever the formula's depends on them, given what implies what,
+/// by what is known where they are asked for: in an intersection that the other operands hold, in a union that they do
+/// not.
 class ContextFold {
  public:
   /// `literals`: by term, of half-spaces. `known`: by term, all open; becomes what is found.

@@ -100,30 +100,7 @@ HWY_INLINE hn::Vec<BitsOf<D>> event_state(D, const Events<D>& events, const Cell
   return state;
 }
 
-/// The first event after a place; infinity if there is none.
-template <bool may_be_many, class D>
-HWY_INLINE hn::Vec<D> next_event(D d, const Events<D>& events, const Cell& cell, hn::Vec<D> at) {
-  if constexpr (may_be_many && hn::is_single<D>) {
-    if (cell.slot_count >= fewest_in_lanes)
-      return std::min(first_event_after(events.first, 0, cell.slot_count, at),
-                      first_event_after(events.second, cell.plane_count, cell.slot_count, at));
-  }
-  using V = hn::Vec<D>;
-  const V never = hn::Inf(d);
-  V next = never;
-  for (std::size_t i = 0; i < cell.slot_count; ++i) {
-    const V first = events.first[i];
-    next = hn::Min(next, hn::IfThenElse(hn::Gt(first, at), first, never));
-  }
-  for (std::size_t i = cell.plane_count; i < cell.slot_count; ++i) {
-    const V second = events.second[i];
-    next = hn::Min(next, hn::IfThenElse(hn::Gt(second, at), second, never));
-  }
-  return next;
-}
-
-/// Which surfaces are positive after the events up to a place, and the first event after it: `event_state` and
-/// `next_event` by one comparison an event.
+/// The same, and the first event after the place, infinity if there is none: by one comparison an event.
 template <bool may_be_many, class D>
 HWY_INLINE void pass_events(D d, const Events<D>& events, const Cell& cell, hn::Vec<D> at, hn::Vec<BitsOf<D>>& state,
                             hn::Vec<D>& next) {
@@ -131,7 +108,8 @@ HWY_INLINE void pass_events(D d, const Events<D>& events, const Cell& cell, hn::
   if constexpr (may_be_many && hn::is_single<D>) {
     if (cell.slot_count >= fewest_in_lanes) {
       state = event_state<may_be_many>(d, events, cell, at);
-      next = next_event<may_be_many>(d, events, cell, at);
+      next = std::min(first_event_after(events.first, 0, cell.slot_count, at),
+                      first_event_after(events.second, cell.plane_count, cell.slot_count, at));
       return;
     }
   }

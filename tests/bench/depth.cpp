@@ -25,9 +25,12 @@
 #include "tests/bench/packet_query.h"
 #include "tests/bench/random_balls.h"
 #include "tests/bench/timed_work.h"
+#include "tests/support/chain.h"
 
 namespace csgcast::bench {
 namespace {
+
+using test::Link;
 
 constexpr std::size_t operations = 60;
 constexpr int side = 512;
@@ -41,13 +44,6 @@ CameraDescription view() {
   return camera;
 }
 
-struct Link {
-  enum class Op : std::uint8_t { unite, subtract, intersect };
-  Op op;
-  Solid ball;
-};
-
-/// The first one is united with nothing.
 std::vector<Link> chain(std::uint64_t seed) {
   RandomNumbers random(seed);
   std::vector<Link> links;
@@ -59,33 +55,6 @@ std::vector<Link> chain(std::uint64_t seed) {
     links.push_back({op, ball(center, is_large ? 1 : random.between(0.3, 0.5))});
   }
   return links;
-}
-
-Solid nested(const std::vector<Link>& links) {
-  Solid solid = links.front().ball;
-  for (auto link = links.begin() + 1; link != links.end(); ++link) {
-    solid = link->op == Link::Op::unite      ? solid + link->ball
-            : link->op == Link::Op::subtract ? solid - link->ball
-                                             : (solid & link->ball);
-  }
-  return solid;
-}
-
-/// The same solid: a union of products.
-Solid flat(const std::vector<Link>& links) {
-  std::vector<Solid> products;
-  std::vector<Solid> within, without;
-  for (auto link = links.rbegin(); link != links.rend(); ++link) {
-    if (link->op == Link::Op::intersect) within.push_back(link->ball);
-    if (link->op == Link::Op::subtract) without.push_back(link->ball);
-    if (link->op != Link::Op::unite) continue;
-    std::vector<Solid> factors = within;
-    factors.push_back(link->ball);
-    std::vector<Solid> parts = without;
-    parts.insert(parts.begin(), factors.size() > 1 ? intersect(std::move(factors)) : link->ball);
-    products.push_back(parts.size() > 1 ? subtract(std::move(parts)) : parts.front());
-  }
-  return unite(std::move(products));
 }
 
 /// `count` balls about the middle, of a size.

@@ -13,11 +13,15 @@
 #include "raycast/packet_caster.h"
 #include "tests/support/batches.h"
 #include "tests/support/catch.h"
+#include "tests/support/chain.h"
 #include "tests/support/random_solid.h"
 
 using namespace csgcast;
 using detail::Implications;
 using test::check_lists;
+using test::flat;
+using test::Link;
+using test::nested;
 using test::RandomSolids;
 using test::rays_at;
 
@@ -40,45 +44,15 @@ void check_packets(const Solid& solid, RandomSolids& random, std::size_t count) 
   }
 }
 
-struct Link {
-  std::size_t operation;
-  Solid solid;
-};
-
 // Union, difference, intersection in turn.
 std::vector<Link> chain(RandomSolids& random, std::size_t length) {
   std::vector<Link> links;
   for (std::size_t i = 0; i < length; ++i) {
     const bool is_large = i % 3 == 2;
     const Point at = random.point(is_large ? 0.12 : 0.6);
-    links.push_back({i % 3, ball(at - Point{}, is_large ? 1 : random.number(0.3, 0.5))});
+    links.push_back({static_cast<Link::Op>(i % 3), ball(at - Point{}, is_large ? 1 : random.number(0.3, 0.5))});
   }
   return links;
-}
-
-Solid nested(const std::vector<Link>& links) {
-  Solid solid = links.front().solid;
-  for (const Link& link : links) {
-    solid = link.operation == 0 ? solid + link.solid : link.operation == 1 ? solid - link.solid : (solid & link.solid);
-  }
-  return solid;
-}
-
-// The same solid: each that is united, within all that intersect it later and without what is subtracted later.
-Solid flat(const std::vector<Link>& links) {
-  std::vector<Solid> products;
-  std::vector<Solid> within;
-  std::vector<Solid> without;
-  for (auto link = links.rbegin(); link != links.rend(); ++link) {
-    if (link->operation == 1) without.push_back(link->solid);
-    if (link->operation == 2) within.push_back(link->solid);
-    if (link->operation != 0) continue;
-    Solid product = link->solid;
-    for (const Solid& solid : within) product = product & solid;
-    for (const Solid& solid : without) product = product - solid;
-    products.push_back(product);
-  }
-  return unite(products);
 }
 
 }  // namespace
