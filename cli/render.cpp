@@ -84,6 +84,9 @@ Job check(const RenderCommandOptions& options) {
   check_film_memory(job.render);
   if (!options.camera.empty()) job.camera = camera_from_numbers(parse_numbers("--camera", options.camera));
   if (!options.trace_pixel.empty()) {
+    if (job.render.mode != Mode::shaded) {
+      throw UsageError("--trace-pixel needs --mode shaded (it prints the rays that bring a pixel's light)");
+    }
     const auto [x, y] = parse_pair("--trace-pixel", options.trace_pixel, ',', 0, largest_side - 1);
     if (x >= job.render.width || y >= job.render.height) {
       throw UsageError(fmt::format("--trace-pixel {},{} is outside the picture of {}x{}", x, y, job.render.width,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cassert>
+#include <limits>
 #include <utility>
 
 namespace csgcast {
@@ -14,12 +15,20 @@ const char* word(LeafKind kind) {
 }
 
 struct Solid::Node {
+  static constexpr std::uint64_t most_leaves = std::numeric_limits<std::uint64_t>::max();
+
   Kind kind = Kind::empty;
   Place place;
   std::vector<Solid> children;
+  std::uint64_t leaf_count = 0;
 
   Node() = default;
-  Node(Kind k, std::vector<Solid> c) : kind(k), children(std::move(c)) {}
+  Node(Kind k, std::vector<Solid> c) : kind(k), children(std::move(c)), leaf_count(kind == Kind::leaf ? 1 : 0) {
+    for (const Solid& child : children) {
+      const std::uint64_t more = child.leaf_count();
+      leaf_count = more > most_leaves - leaf_count ? most_leaves : leaf_count + more;
+    }
+  }
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
   Node(Node&&) = delete;
@@ -85,6 +94,7 @@ const PartName& Solid::part() const { return payload<PartName>(); }
 const LookStatement& Solid::look() const { return payload<LookStatement>(); }
 const Place& Solid::place() const { return node_->place; }
 const void* Solid::identity() const { return node_.get(); }
+std::uint64_t Solid::leaf_count() const { return node_->leaf_count; }
 
 Solid Solid::copy() const {
   std::vector<Solid> children = node_->children;

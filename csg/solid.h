@@ -108,6 +108,8 @@ class Solid {
   Solid at(Place place) &&;
   /// Nodes with equal identity are one shared node.
   const void* identity() const;
+  /// How many leaves the tree has, those of a shared node at each of its uses; 2^64 - 1 if there are more.
+  std::uint64_t leaf_count() const;
 
   friend Solid unite(std::vector<Solid> children);
   friend Solid intersect(std::vector<Solid> children);

@@ -277,6 +277,10 @@ Film render(const Scene& scene, const View& view, const RenderOptions& options, 
 
 std::string trace_pixel(const Scene& scene, const View& view, const RenderOptions& options, int x, int y) {
   check(options);
+  if (options.mode != Mode::shaded) {
+    throw Error(ErrorCode::usage, {}, "the rays of a pixel are those that bring its light", "other modes cast one ray",
+                "use Mode::shaded");
+  }
   if (x < 0 || y < 0 || x >= options.width || y >= options.height) {
     throw Error(ErrorCode::usage, {},
                 "pixel " + std::to_string(x) + "," + std::to_string(y) + " is outside the picture",

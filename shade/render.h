@@ -62,7 +62,8 @@ struct RenderOptions {
 Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report = nullptr);
 
 /// The tree of rays of one pixel's centre as indented text, a line for each ray: kind, weight, t and place of the hit,
-/// what it brings. Pixel (0, 0) is the top left one; throws Error(usage) for one outside the picture.
+/// what it brings. Pixel (0, 0) is the top left one; throws Error(usage) for one outside the picture, and for modes
+/// other than shaded.
 std::string trace_pixel(const Scene& scene, const View& view, const RenderOptions& options, int x, int y);
 
 }  // namespace csgcast

@@ -115,7 +115,7 @@ class Writer {
   };
 
   void visit(const Solid& solid) {
-    if (++statements_ > most_statements) {
+    if (++statements_ > most_statements || solid.leaf_count() > most_statements) {
       throw Error(ErrorCode::limit, solid.place(), "the solid takes more than 4,194,304 statements",
                   "each use of a shared solid counts", "write it in pieces");
     }

@@ -61,11 +61,11 @@ struct CellGround {
   /// What a leaf's faces show wherever they are; not valid if that depends on the place. `one_region`: of whatever else
   /// is there nothing belongs to another region.
   LookId look_of(const Leaf& leaf, bool one_region) const;
-  static bool is_near(const CellBox& box) { return longest(box.lower) <= near_side && longest(box.upper) <= near_side; }
+  static bool is_near(const CellBox& b) { return longest(b.lower) <= near_side && longest(b.upper) <= near_side; }
   /// A surface's form about the middle of a box, with a slack that covers lines' places. Precondition: it is finite.
-  LocalForm form_in(std::size_t surface, const CellBox& box) const {
+  LocalForm form_in(std::size_t surface, const CellBox& b) const {
     const CellForm& form = forms[surface];
-    return local_form(form, box, is_near(box) ? slacks[surface] : slack_of_lines(form, box));
+    return local_form(form, b, is_near(b) ? slacks[surface] : slack_of_lines(form, b));
   }
   /// The box, in the axes of the cells, that holds a box of the scene. Precondition: it is finite.
   CellBox box_of(const Box& world) const;

@@ -14,7 +14,7 @@
 namespace csgcast {
 namespace {
 
-constexpr std::size_t most_leaves = std::size_t{1} << 22;
+constexpr std::uint64_t most_leaves = std::uint64_t{1} << 22;
 constexpr std::size_t most_bits = std::size_t{1} << 14;
 
 // A transform, look or part hands its child's node on; so does a union above which there are only unions.
@@ -71,6 +71,10 @@ Scene compile(Solid solid, const Welding& welding) {
                 "it is a share of the size of the scene, above 0 and at most 1/128", "choose a smaller one, or none");
   }
   solid = simplified(solid);
+  if (solid.leaf_count() > most_leaves) {
+    throw Error(ErrorCode::limit, solid.place(), "the scene has more than 4,194,304 leaves",
+                "each use of a shared solid counts", "render it in pieces");
+  }
   return SceneCompiler(welding).compile(std::move(solid));
 }
 
@@ -212,10 +216,6 @@ LookId SceneCompiler::look_id(const LookContext& looks) {
 }
 
 NodeId SceneCompiler::add_leaf(const Solid& solid, const Context& context) {
-  if (scene_.leaves_.size() >= most_leaves) {
-    throw Error(ErrorCode::limit, solid.place(), "the scene has more than 4,194,304 leaves",
-                "each use of a shared solid counts", "render it in pieces");
-  }
   static const ExactAffine identity;
   const ExactAffine* moved = context.world_from_solid.get();
   const Box box = world_bounds(solid.shape(), moved ? *moved : identity);

@@ -81,7 +81,7 @@ Solid pierced_ball(std::size_t count, double size) {
 
 /// As many balls less as many others farther out.
 Solid carved_balls(std::size_t count, double size) {
-  RandomNumbers random(count);
+  RandomNumbers random(count + 1000);  // not those that placed the balls
   std::vector<Solid> balls{united_balls(count, size)};
   for (std::size_t i = 0; i < count; ++i) {
     const Vector center = size * random.in_cube(0.9);

@@ -32,6 +32,8 @@ std::vector<Hostile> hostile_command_lines() {
       {"a camera at what it looks at", cube, 2, "csgcast: error: ", render({"--camera", "1,2,3,1,2,3"})},
       {"a pixel outside", cube, 2, "csgcast: error: --trace-pixel 800,0 is outside",
        render({"--trace-pixel", "800,0"})},
+      {"the rays of a pixel that shows depth", cube, 2, "csgcast: error: --trace-pixel needs --mode shaded",
+       render({"--trace-pixel", "1,1", "--mode", "depth"})},
       {"an unknown mode", cube, 2, "csgcast: error: --mode 'foo' is unknown", render({"--mode", "foo"})},
       {"a ray of NaN", cube, 2, "csgcast: error: --ray: 'nan' is not finite", ray("0,0,nan,0,0,1")},
       {"a ray without direction", cube, 2, "csgcast: error: --ray: the direction is zero", ray("0,0,9,0,0,0")},

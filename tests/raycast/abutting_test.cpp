@@ -7,15 +7,15 @@
 #include "csg/primitives.h"
 #include "raycast/caster.h"
 #include "raycast/part_overlaps.h"
+#include "tests/support/at.h"
 #include "tests/support/catch.h"
 #include "tests/support/examples.h"
 #include "tests/support/scene_rays.h"
 
 using namespace csgcast;
+using test::at;
 
 namespace {
-
-Solid at(Solid solid, Vector offset) { return transformed(std::move(solid), translation(offset)); }
 
 // Two solids that touch in a face and share no inner point, and a core: a solid in their union that holds the inner
 // points of the face.

@@ -6,16 +6,17 @@
 
 #include "csg/primitives.h"
 #include "raycast/caster.h"
+#include "tests/support/at.h"
 #include "tests/support/catch.h"
 #include "tests/support/examples.h"
 #include "tests/support/random_solid.h"
 
 using namespace csgcast;
+using test::at;
 using test::RandomSolids;
 
 namespace {
 
-Solid at(Solid solid, Vector offset) { return transformed(std::move(solid), translation(offset)); }
 Solid centered_box(double side) { return box({side, side, side}, Centering::centered); }
 
 // Whether the first face that a ray meets leads away on the ray's side, and on the other one.

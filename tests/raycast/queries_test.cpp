@@ -3,13 +3,13 @@
 
 #include "csg/primitives.h"
 #include "raycast/caster.h"
+#include "tests/support/at.h"
 #include "tests/support/catch.h"
 
 using namespace csgcast;
+using test::at;
 
 namespace {
-
-Solid at(Solid solid, Vector offset) { return transformed(std::move(solid), translation(offset)); }
 
 Solid painted(Solid solid, double red) { return with_look(std::move(solid), {{}, Paint{{red, 0, 0}, 1}}); }
 
@@ -307,5 +307,16 @@ TEST_CASE("a hit point lies on its surface however far away the ray starts") {
     REQUIRE(hit);
     const Point p = caster.attribute(*hit).point;
     CHECK(std::fabs(length(p - Point{3, 4, 5}) - 1) < 1e-15 * 8);
+  }
+}
+
+TEST_CASE("a shared solid of 2^40 leaves is an error, and no leaf of it is made") {
+  Solid doubled = sphere(1);
+  for (int i = 0; i < 40; ++i) doubled = unite({doubled, at(doubled, {std::ldexp(3, i), 0, 0})});
+  try {
+    compile(doubled);
+    FAIL("it was compiled");
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::limit);
   }
 }

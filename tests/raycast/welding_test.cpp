@@ -11,18 +11,18 @@
 #include "csg/text/builder.h"
 #include "csg/text/reader.h"
 #include "raycast/caster.h"
+#include "tests/support/at.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
 #include "tests/support/rounded_leaves.h"
 
 using namespace csgcast;
+using test::at;
 using test::RandomSolids;
 
 namespace {
 
 Solid flush() { return text::build(text::read_file(CSGCAST_SOURCE_DIR "/examples/flush.csg")).solid; }
-
-Solid at(Solid solid, Vector offset) { return transformed(std::move(solid), translation(offset)); }
 
 std::size_t length_of(const Scene& scene, const Ray& ray) {
   Caster caster(scene);

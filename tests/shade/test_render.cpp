@@ -155,6 +155,7 @@ TEST_CASE("sizes and samples that make no picture are refused") {
   refused(options);
   REQUIRE_THROWS_AS(trace_pixel(scene, standard_view(), picture(10, 10), 10, 0), Error);
   REQUIRE_THROWS_AS(trace_pixel(scene, standard_view(), picture(10, 10), 0, -1), Error);
+  REQUIRE_THROWS_AS(trace_pixel(scene, standard_view(), picture(10, 10, Mode::depth), 0, 0), Error);
 }
 
 TEST_CASE("the tree of a pixel begins with the pixel's colour in the picture") {
