@@ -318,45 +318,51 @@ CellBuilder::Split CellBuilder::split_by_bins(std::span<const LeafId> leaves, co
   return best;
 }
 
-void CellBuilder::add_candidates(std::span<const LeafId> leaves, const CellBox& box,
-                                 std::vector<Split>& candidates) const {
+// Candidates beside the leaves' sides and in the middle, in the order of axes and places, none twice.
+void CellBuilder::find_candidates(std::span<const LeafId> leaves, const CellBox& box) {
+  candidates_.clear();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double low = box.lower[axis];
     const double high = box.upper[axis];
     if (high - low < 2 * least_side) continue;
+    places_.clear();
     const auto add = [&](double at) {
-      if (at > low + least_side && at < high - least_side) candidates.push_back({axis, at, 0});
+      if (at > low + least_side && at < high - least_side) places_.push_back(at);
     };
     add(0.5 * (low + high));
     for (const LeafId leaf : leaves) {
-      for (const double side :
-           {ground_.leaf_boxes[leaf.index()].lower[axis], ground_.leaf_boxes[leaf.index()].upper[axis]}) {
+      const CellBox& around = ground_.leaf_boxes[leaf.index()];
+      for (const double side : {around.lower[axis], around.upper[axis]}) {
         add(side - beside);
         add(side + beside);
       }
     }
+    std::sort(places_.begin(), places_.end());
+    const auto last =
+        std::unique(places_.begin(), places_.end(), [](double a, double b) { return b - a < beside / 2; });
+    std::for_each(places_.begin(), last, [&](double at) { candidates_.push_back({axis, at, 0}); });
   }
 }
 
-// The best of some candidates beside the leaves' sides, by what the children would really be.
+// The best of some candidates, by what the children would really be.
 CellBuilder::Split CellBuilder::split_by_trial(const Formula& formula, std::span<const LeafId> leaves,
                                                const CellBox& box) {
-  std::vector<Split> candidates;
-  add_candidates(leaves, box, candidates);
-  std::sort(candidates.begin(), candidates.end(),
-            [](const Split& a, const Split& b) { return a.axis != b.axis ? a.axis < b.axis : a.at < b.at; });
-  const auto last = std::unique(candidates.begin(), candidates.end(), [](const Split& a, const Split& b) {
-    return a.axis == b.axis && std::fabs(a.at - b.at) < beside / 2;
-  });
-  candidates.erase(last, candidates.end());
-  const std::size_t stride = (candidates.size() + most_candidates - 1) / most_candidates;
+  find_candidates(leaves, box);
+  const std::size_t stride = (candidates_.size() + most_candidates - 1) / most_candidates;
   Split best{};
-  for (std::size_t i = 0; i < candidates.size(); i += std::max<std::size_t>(stride, 1)) {
-    Split split = candidates[i];
-    const CellBox left = below(box, split.axis, split.at);
-    const CellBox right = above(box, split.axis, split.at);
-    split.cost =
-        cost_of_node + (area(left) * trial_cost(formula, left) + area(right) * trial_cost(formula, right)) / area(box);
+  for (std::size_t i = 0; i < candidates_.size(); i += std::max<std::size_t>(stride, 1)) {
+    Split split = candidates_[i];
+    const std::array<CellBox, 2> parts{below(box, split.axis, split.at), above(box, split.axis, split.at)};
+    const std::array<double, 2> areas{area(parts[0]), area(parts[1])};
+    std::array<double, 2> costs{cost_of_constant, cost_of_constant};  // at least
+    const auto cost = [&] { return cost_of_node + (areas[0] * costs[0] + areas[1] * costs[1]) / area(box); };
+    // The larger part alone often costs more than the best split so far.
+    const std::size_t larger = areas[1] > areas[0] ? 1 : 0;
+    for (const std::size_t part : {larger, 1 - larger}) {
+      costs[part] = trial_cost(formula, parts[part]);
+      split.cost = cost();
+      if (best.cost != 0 && split.cost >= best.cost) break;
+    }
     if (best.cost == 0 || split.cost < best.cost) best = split;
   }
   return best;

@@ -146,7 +146,7 @@ class CellBuilder {
   static Split split_in_half(const CellBox& box);
   Split split_by_bins(std::span<const LeafId> leaves, const CellBox& box) const;
   Split split_by_trial(const Formula& formula, std::span<const LeafId> leaves, const CellBox& box);
-  void add_candidates(std::span<const LeafId> leaves, const CellBox& box, std::vector<Split>& candidates) const;
+  void find_candidates(std::span<const LeafId> leaves, const CellBox& box);
   double trial_cost(const Formula& formula, const CellBox& box);
   std::vector<std::uint64_t> table_of(const Formula& formula, std::span<const SurfaceId> surfaces);
   bool add_table(const Formula& formula, std::vector<SurfaceId>& surfaces, Cell& cell);
@@ -179,6 +179,8 @@ class CellBuilder {
   std::vector<Owner> owners_;                   // of its surfaces
   std::optional<HolderTree::Shown> cut_look_;   // in the cell that is being made, once it is known
   HolderTree::Search holder_search_;
+  std::vector<double> places_;  // of candidates on an axis
+  std::vector<Split> candidates_;
   Formula trial_;
   std::vector<SurfaceId> trial_surfaces_;
   // What is known where half-spaces are left out of a formula, by term.

@@ -18,10 +18,12 @@ bool bit(std::span<const std::uint64_t> table, std::size_t state) {
 }
 
 // Whether the value ever depends on one surface.
-bool matters(std::span<const std::uint64_t> table, std::size_t count, std::size_t surface) {
+bool matters(std::span<const std::uint64_t> table, std::size_t surface) {
   const std::size_t flip = std::size_t{1} << surface;
-  for (std::size_t state = 0; state < (std::size_t{1} << count); ++state) {
-    if ((state & flip) == 0 && bit(table, state) != bit(table, state | flip)) return true;
+  for (std::size_t w = 0; w < table.size(); ++w) {
+    const std::uint64_t other = surface < 6 ? table[w] >> flip : table[w | flip / 64];
+    const std::uint64_t negative = surface < 6 ? ~positive_states(surface) : ~std::uint64_t{0};
+    if (((table[w] ^ other) & negative) != 0) return true;
   }
   return false;
 }
@@ -60,9 +62,13 @@ bool CellBuilder::add_table(const Formula& formula, std::vector<SurfaceId>& surf
   const std::vector<std::uint64_t> table = table_of(formula, surfaces);
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (matters(table, surfaces.size(), i)) kept.push_back(i);
+    if (matters(table, i)) kept.push_back(i);
   }
   if (kept.size() > Cell::table_slots) return false;
+  if (kept.size() == surfaces.size()) {
+    cell.table = table.front();
+    return true;
+  }
   cell.table = narrowed(table, kept);
   std::vector<SurfaceId> that_matter;
   that_matter.reserve(kept.size());

@@ -18,17 +18,12 @@ double greatest(double slope, double bend, double reach) {
   return (s + bend * reach) * reach;
 }
 
-// By how much a form may fall below its value in the middle of a box, and rise above.
-std::pair<double, double> change_in(const LocalForm& f, Vector half) {
-  const double mixed = std::fabs(f.bend[Form::xy]) * half.x * half.y + std::fabs(f.bend[Form::xz]) * half.x * half.z +
-                       std::fabs(f.bend[Form::yz]) * half.y * half.z;
-  double up = mixed;
-  double down = mixed;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    up += greatest(f.gradient[axis], f.bend[axis], half[axis]);
-    down += greatest(f.gradient[axis], -f.bend[axis], half[axis]);
-  }
-  return {down, up};
+// By how much a form, or its contrary (sign = -1), may rise above its value in the middle of a box.
+double rise(const LocalForm& f, double sign, Vector half) {
+  double up = std::fabs(f.bend[Form::xy]) * half.x * half.y + std::fabs(f.bend[Form::xz]) * half.x * half.z +
+              std::fabs(f.bend[Form::yz]) * half.y * half.z;
+  for (std::size_t axis = 0; axis < 3; ++axis) up += greatest(f.gradient[axis], sign * f.bend[axis], half[axis]);
+  return up;
 }
 
 // Whether a g - s f is negative in the whole box.
@@ -39,7 +34,7 @@ bool is_negative(const LocalForm& g, double a, const LocalForm& f, double s, Vec
   if (!(rest.value < -slack)) return false;
   rest.gradient = a * g.gradient - s * f.gradient;
   for (std::size_t i = 0; i < rest.bend.size(); ++i) rest.bend[i] = a * g.bend[i] - s * f.bend[i];
-  return rest.value + change_in(rest, half).second < -slack;
+  return rest.value + rise(rest, 1, half) < -slack;
 }
 
 }  // namespace
@@ -83,11 +78,27 @@ double slack_of_lines(const CellForm& form, const CellBox& box) {
          form_tolerance * ((bend * reach + slope) * (reach + 8) + bend * reach + std::fabs(c[Form::one]));
 }
 
+std::uint32_t negative_corners(const LocalForm& form, Vector half) {
+  const auto& b = form.bend;
+  const double even =
+      form.value + b[Form::xx] * half.x * half.x + b[Form::yy] * half.y * half.y + b[Form::zz] * half.z * half.z;
+  const Vector slope{form.gradient.x * half.x, form.gradient.y * half.y, form.gradient.z * half.z};
+  const double xy = b[Form::xy] * half.x * half.y, xz = b[Form::xz] * half.x * half.z,
+               yz = b[Form::yz] * half.y * half.z;
+  std::uint32_t negative = 0;
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    const double x = corner & 1 ? 1 : -1, y = corner & 2 ? 1 : -1, z = corner & 4 ? 1 : -1;
+    const double value = even + x * slope.x + y * slope.y + z * slope.z + x * y * xy + x * z * xz + y * z * yz;
+    negative |= (value < 0 ? 1U : 0U) << corner;
+  }
+  return negative;
+}
+
 Sides sides_of(const LocalForm& form, Vector half) {
-  const auto [down, up] = change_in(form, half);
-  if (form.value - down > form.slack) return Sides::positive;
-  if (form.value + up < -form.slack) return Sides::negative;
-  return Sides::both;
+  const double sign = form.value > 0 ? 1 : -1;
+  const double least = sign * form.value;
+  if (!(least > form.slack) || !(least - rise(form, -sign, half) > form.slack)) return Sides::both;
+  return sign > 0 ? Sides::positive : Sides::negative;
 }
 
 Sides sides_within(const CellForm& form, const CellBox& box) {

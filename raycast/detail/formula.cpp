@@ -195,6 +195,13 @@ void Folder::deliver(Known value, const Term& term) {
   keep();
 }
 
+// A leaf of one half-space, with what is known of that.
+void Folder::deliver_leaf(Known value, const Term& term) {
+  if (value != Known::open) return settle(value == Known::yes);
+  result_->terms.insert(result_->terms.end(), &term, &term + 2);
+  keep();
+}
+
 // An operand of the operator on top stays.
 void Folder::keep() {
   if (frames_.empty()) return;

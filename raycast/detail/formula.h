@@ -64,6 +64,9 @@ class Folder {
       } else if (term.op == Term::Op::leaf && leaf(term) == Known::no) {
         at_ += term.size;
         deliver(Known::no, term);
+      } else if (term.op == Term::Op::leaf && term.size == 2) {
+        at_ += 2;
+        deliver_leaf(half_space(*(&term + 1)), term);
       } else {
         open(term);
       }
@@ -84,6 +87,7 @@ class Folder {
   void begin(const Formula& from, Formula& result);
   void open(const Term& term);
   void deliver(Known value, const Term& term);
+  void deliver_leaf(Known value, const Term& term);
   void keep();
   void settle(bool value);
   void close_finished();

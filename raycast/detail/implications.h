@@ -39,7 +39,8 @@ class Implications {
   bool any_ = false;
   std::vector<std::size_t> added_;
   std::array<LocalForm, most> forms_;
-  std::array<Likeness, most> own_;  // of each form with itself
+  std::array<Likeness, most> own_;           // of each form with itself
+  std::array<std::uint32_t, most> corners_;  // where each form is negative
   std::array<Literals, 2 * most> implied_;
 };
 

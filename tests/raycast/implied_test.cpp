@@ -91,6 +91,34 @@ TEST_CASE("what implications say of a box is so at all its points") {
   CHECK(found > 1000);
 }
 
+TEST_CASE("a form is negative at the corners that it is said to be negative at") {
+  RandomSolids random(5);
+  std::size_t negative = 0, count = 0;
+  for (int round = 0; round < 100; ++round) {
+    const Scene scene = compile(random.tree(3));
+    const detail::CellGround ground(scene, scene.root());
+    const Vector middle = random.point(0.5) - Point{};
+    const Vector half{random.number(0.01, 0.3), random.number(0.01, 0.3), random.number(0.01, 0.3)};
+    for (std::size_t i = 0; i < ground.forms.size(); ++i) {
+      const LocalForm form = ground.form_in(i, {middle - half, middle + half});
+      const std::uint32_t corners = detail::negative_corners(form, half);
+      CHECK(corners < 256);
+      for (std::uint32_t corner = 0; corner < 8; ++corner) {
+        Vector q;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          q[axis] = middle[axis] + ((corner >> axis & 1) != 0 ? half[axis] : -half[axis]);
+        const double value = value_at(ground.forms[i], q);
+        if (std::fabs(value) <= form.slack) continue;
+        CHECK((value < 0) == ((corners >> corner & 1) != 0));
+        negative += value < 0 ? 1 : 0;
+        ++count;
+      }
+    }
+  }
+  CHECK(negative > count / 10);
+  CHECK(negative < count - count / 10);
+}
+
 TEST_CASE("balls within balls, and apart from them, imply each other's sides") {
   const Scene scene = compile(unite({ball({0, 0, 0}, 0.4), ball({0.02, 0, 0}, 0.3), ball({0.9, 0, 0}, 0.4)}));
   const detail::CellGround ground(scene, scene.root());
