@@ -21,15 +21,6 @@ constexpr std::size_t more_than_is_free = std::size_t{1} << 20;  // of the heap,
 
 constexpr std::uintptr_t rounded_up(std::uintptr_t value, std::size_t unit) { return (value + unit - 1) / unit * unit; }
 
-void* allocate_large(std::size_t size) {
-  if (size > SIZE_MAX - huge_page) throw std::bad_alloc();
-  const std::size_t whole = rounded_up(size, huge_page);
-  void* const block = std::aligned_alloc(huge_page, whole);
-  if (block == nullptr) throw std::bad_alloc();
-  madvise(block, whole, MADV_HUGEPAGE);
-  return block;
-}
-
 }  // namespace
 
 namespace csgcast::cli {
@@ -51,6 +42,19 @@ void use_huge_pages() {
 }  // namespace csgcast::cli
 
 #ifndef __SANITIZE_ADDRESS__
+
+namespace {
+
+void* allocate_large(std::size_t size) {
+  if (size > SIZE_MAX - huge_page) throw std::bad_alloc();
+  const std::size_t whole = rounded_up(size, huge_page);
+  void* const block = std::aligned_alloc(huge_page, whole);
+  if (block == nullptr) throw std::bad_alloc();
+  madvise(block, whole, MADV_HUGEPAGE);
+  return block;
+}
+
+}  // namespace
 
 void* operator new(std::size_t size) {
   if (size >= least_block) return allocate_large(size);

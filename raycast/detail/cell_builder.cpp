@@ -24,6 +24,7 @@ constexpr std::size_t most_candidates = 8;
 constexpr std::size_t large = 64;
 constexpr int deepest_task = 5;
 constexpr double least_side = 0x1p-24;
+constexpr double least_part = 0.125;  // of a side, that a split cuts off if it promises nothing
 // Cells whose area is less than this share of the least leaf's there are not cut: few rays would notice.
 constexpr double least_share = 0x1p-9;
 constexpr double least_share_of_large = 0x1p-13;
@@ -196,6 +197,10 @@ double CellBuilder::build(const Content& content, const CellBox& box, int depth,
         (surfaces.size() <= most_leaves && formula.terms.size() <= most_terms_tried && spend(formula)))
       split = split_by_trial(formula, leaves, box);
   }
+  // One could cut off slivers for ever: what promises nothing has at least to part the box.
+  if (is_too_large && split.cost >= as_one && is_sliver(split, box)) {
+    if (const Split half = split_in_half(box); half.cost != 0) split = half;
+  }
   const bool is_crowded = surfaces.size() > Cell::most_slots;  // such a cell would be left to the caster
   if (is_crowded && split.cost == 0) split = split_in_half(box);
   if (split.cost == 0) return add_cell(content, box);
@@ -276,6 +281,11 @@ void CellBuilder::append(CellData&& part) {
   data_.cells.insert(data_.cells.end(), part.cells.begin() + 2, part.cells.end());
   data_.slots.insert(data_.slots.end(), part.slots.begin(), part.slots.end());
   data_.steps.insert(data_.steps.end(), part.steps.begin(), part.steps.end());
+}
+
+bool CellBuilder::is_sliver(const Split& split, const CellBox& box) {
+  const double low = box.lower[split.axis], high = box.upper[split.axis];
+  return std::fmin(split.at - low, high - split.at) < least_part * (high - low);
 }
 
 CellBuilder::Split CellBuilder::split_in_half(const CellBox& box) {

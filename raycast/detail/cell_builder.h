@@ -143,6 +143,7 @@ class CellBuilder {
   Sides sides_of(SurfaceId id, const CellBox& inflated);
   void gather_surfaces(const Formula& formula, std::vector<SurfaceId>& surfaces);
   void gather_leaves(const Formula& formula, std::vector<LeafId>& leaves) const;
+  static bool is_sliver(const Split& split, const CellBox& box);
   static Split split_in_half(const CellBox& box);
   Split split_by_bins(std::span<const LeafId> leaves, const CellBox& box) const;
   Split split_by_trial(const Formula& formula, std::span<const LeafId> leaves, const CellBox& box);

@@ -216,3 +216,13 @@ TEST_CASE("a leaf that needs a face no longer is not taken to end there") {
   check_packets(solid, random, 3000);
   check_packets(transformed(solid, rotation(30, {1, 2, 3})), random, 1000);
 }
+
+TEST_CASE("no cell of a chain of balls keeps more surfaces than a table takes") {
+  RandomSolids random(11);
+  std::size_t large = 0;
+  for (int round = 0; round < 30; ++round) {
+    const std::vector<Link> links = chain(random, 61);
+    large += Cells(compile(nested(links))).counts().large + Cells(compile(flat(links))).counts().large;
+  }
+  CHECK(large == 0);
+}
