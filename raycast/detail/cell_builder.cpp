@@ -197,12 +197,11 @@ double CellBuilder::build(const Content& content, const CellBox& box, int depth,
         (surfaces.size() <= most_leaves && formula.terms.size() <= most_terms_tried && spend(formula)))
       split = split_by_trial(formula, leaves, box);
   }
+  const bool is_crowded = surfaces.size() > Cell::most_slots;  // such a cell would be left to the caster
   // One could cut off slivers for ever: what promises nothing has at least to part the box.
-  if (is_too_large && split.cost >= as_one && is_sliver(split, box)) {
+  if (split.cost == 0 ? is_crowded : is_too_large && split.cost >= as_one && is_sliver(split, box)) {
     if (const Split half = split_in_half(box); half.cost != 0) split = half;
   }
-  const bool is_crowded = surfaces.size() > Cell::most_slots;  // such a cell would be left to the caster
-  if (is_crowded && split.cost == 0) split = split_in_half(box);
   if (split.cost == 0) return add_cell(content, box);
   const bool is_promising = split.cost < as_one;
   const int fewest_hopes = is_crowded ? -hopes_of_crowded : is_too_large ? -hopes_of_large : 0;

@@ -22,8 +22,7 @@ bool matters(std::span<const std::uint64_t> table, std::size_t surface) {
   const std::size_t flip = std::size_t{1} << surface;
   for (std::size_t w = 0; w < table.size(); ++w) {
     const std::uint64_t other = surface < 6 ? table[w] >> flip : table[w | flip / 64];
-    const std::uint64_t negative = surface < 6 ? ~positive_states(surface) : ~std::uint64_t{0};
-    if (((table[w] ^ other) & negative) != 0) return true;
+    if (((table[w] ^ other) & ~TruthTable::states_of_word(surface, w)) != 0) return true;
   }
   return false;
 }
@@ -49,7 +48,7 @@ std::vector<std::uint64_t> CellBuilder::table_of(const Formula& formula, std::sp
     table[word] = value_(formula.terms, [&](const Term& term) {
       const auto at = std::find(surfaces.begin(), surfaces.end(), term.surface());
       const auto i = static_cast<std::size_t>(at - surfaces.begin());
-      const std::uint64_t positive = i < 6 ? positive_states(i) : ((word >> (i - 6)) & 1) != 0 ? ~std::uint64_t{0} : 0;
+      const std::uint64_t positive = TruthTable::states_of_word(i, word);
       return term.wants_positive() ? positive : ~positive;
     });
   }

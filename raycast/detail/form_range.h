@@ -27,7 +27,8 @@ Sides sides_within(const CellForm& form, const CellBox& box);
 /// Precondition: the box is finite.
 double slack_of_lines(const CellForm& form, const CellBox& box);
 
-/// The corners of a box where a form is negative, a bit for each; the computed value decides.
+constexpr std::uint32_t all_corners = 0xFF;  ///< of a box, a bit for each
+/// Those where a form is negative; the computed value decides.
 std::uint32_t negative_corners(const LocalForm& form, Vector half);
 
 /// A bound of what moving a place of the box by at most 1 on each axis changes a form, times how far it is moved.

@@ -189,16 +189,9 @@ void Folder::open(const Term& term) {
   ++at_;
 }
 
-void Folder::deliver(Known value, const Term& term) {
+void Folder::deliver(Known value, std::span<const Term> operand) {
   if (value != Known::open) return settle(value == Known::yes);
-  result_->terms.push_back(term);
-  keep();
-}
-
-// A leaf of one half-space, with what is known of that.
-void Folder::deliver_leaf(Known value, const Term& term) {
-  if (value != Known::open) return settle(value == Known::yes);
-  result_->terms.insert(result_->terms.end(), &term, &term + 2);
+  result_->terms.insert(result_->terms.end(), operand.begin(), operand.end());
   keep();
 }
 

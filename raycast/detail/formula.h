@@ -58,15 +58,15 @@ class Folder {
     begin(from, result);
     while (at_ < from.terms.size() && !done_) {
       const Term& term = from.terms[at_];
-      if (term.op == Term::Op::half_space) {
-        ++at_;
-        deliver(half_space(term), term);
-      } else if (term.op == Term::Op::leaf && leaf(term) == Known::no) {
+      const bool is_leaf = term.op == Term::Op::leaf;
+      if (is_leaf && leaf(term) == Known::no) {
         at_ += term.size;
-        deliver(Known::no, term);
-      } else if (term.op == Term::Op::leaf && term.size == 2) {
-        at_ += 2;
-        deliver_leaf(half_space(*(&term + 1)), term);
+        settle(false);
+      } else if (term.op == Term::Op::half_space || (is_leaf && term.size == 2)) {
+        // A half-space, or a leaf of one.
+        const std::span<const Term> whole(&term, term.size);
+        at_ += term.size;
+        deliver(half_space(whole.back()), whole);
       } else {
         open(term);
       }
@@ -86,8 +86,7 @@ class Folder {
 
   void begin(const Formula& from, Formula& result);
   void open(const Term& term);
-  void deliver(Known value, const Term& term);
-  void deliver_leaf(Known value, const Term& term);
+  void deliver(Known value, std::span<const Term> operand);
   void keep();
   void settle(bool value);
   void close_finished();

@@ -20,20 +20,19 @@ void Implications::note(std::size_t literal, std::size_t other) {
 
 void Implications::add(std::size_t i, const LocalForm& form) {
   if (!is_finite(half_)) return;
-  forms_[i] = form;
-  own_[i] = likeness(form, form, half_);
-  corners_[i] = negative_corners(form, half_);
-  for (const std::size_t j : added_) {
-    const LocalForm& other = forms_[j];
-    const Likeness between = likeness(form, other, half_);
+  const Likeness own = likeness(form, form, half_);
+  const std::uint32_t here = negative_corners(form, half_);
+  for (const Added& other : added_) {
+    const std::size_t j = other.surface;
+    const std::uint32_t there = other.corners;
+    const Likeness between = likeness(form, other.form, half_);
     // The corners refute most. Signs that rounding gets wrong there are within slacks, by which nothing is implied.
-    const std::uint32_t here = corners_[i], there = corners_[j];
-    if ((here & ~there) == 0 && implies({form}, {other}, half_, between, own_[i])) note(2 * i, 2 * j);
-    if ((there & ~here) == 0 && implies({other}, {form}, half_, between, own_[j])) note(2 * j, 2 * i);
-    if ((there & here) == 0 && implies({other}, {form, -1}, half_, between, own_[j])) note(2 * j, 2 * i + 1);
-    if ((~there & ~here & 0xFF) == 0 && implies({form, -1}, {other}, half_, between, own_[i])) note(2 * i + 1, 2 * j);
+    if ((here & ~there) == 0 && implies({form}, {other.form}, half_, between, own)) note(2 * i, 2 * j);
+    if ((there & ~here) == 0 && implies({other.form}, {form}, half_, between, other.own)) note(2 * j, 2 * i);
+    if ((there & here) == 0 && implies({other.form}, {form, -1}, half_, between, other.own)) note(2 * j, 2 * i + 1);
+    if ((there | here) == all_corners && implies({form, -1}, {other.form}, half_, between, own)) note(2 * i + 1, 2 * j);
   }
-  added_.push_back(i);
+  added_.push_back({i, form, own, here});
 }
 
 TruthTable Implications::impossible_states() const {

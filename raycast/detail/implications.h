@@ -32,15 +32,19 @@ class Implications {
   TruthTable impossible_states() const;
 
  private:
+  struct Added {
+    std::size_t surface;
+    LocalForm form;
+    Likeness own;           // with itself
+    std::uint32_t corners;  // where it is negative
+  };
+
   void note(std::size_t literal, std::size_t other);
 
   std::size_t count_ = 0;
   Vector half_;
   bool any_ = false;
-  std::vector<std::size_t> added_;
-  std::array<LocalForm, most> forms_;
-  std::array<Likeness, most> own_;           // of each form with itself
-  std::array<std::uint32_t, most> corners_;  // where each form is negative
+  std::vector<Added> added_;
   std::array<Literals, 2 * most> implied_;
 };
 

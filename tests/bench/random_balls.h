@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <random>
 
-#include "csg/primitives.h"
-#include "csg/solid.h"
 #include "csg/transform.h"
+#include "tests/support/at.h"
 
 namespace csgcast::bench {
 
@@ -29,6 +28,6 @@ class RandomNumbers {
   std::mt19937_64 random_;
 };
 
-inline Solid ball(Vector center, double radius) { return transformed(sphere(radius), translation(center)); }
+using test::ball;
 
 }  // namespace csgcast::bench

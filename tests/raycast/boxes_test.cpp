@@ -5,11 +5,13 @@
 #include "csg/transform.h"
 #include "raycast/cells.h"
 #include "raycast/packet_caster.h"
+#include "tests/support/at.h"
 #include "tests/support/batches.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
 
 using namespace csgcast;
+using test::at;
 using test::check_lists;
 using test::DepartingRays;
 using test::RandomSolids;
@@ -18,20 +20,18 @@ using test::rays_at;
 
 namespace {
 
-Solid moved(Solid solid, Vector by) { return transformed(std::move(solid), translation(by)); }
-
 // Small solids all over the cube of side 2: balls, ellipsoids, lenses, rods, bricks.
 std::vector<Solid> crumbs(RandomSolids& random, std::size_t count, double size) {
   std::vector<Solid> result;
   for (std::size_t i = 0; i < count; ++i) {
-    const Point at = random.point(1);
+    const Point place = random.point(1);
     const double r = size * random.number(0.5, 1);
     Solid solid = sphere(r);
     if (i % 4 == 1) solid = ellipsoid({r, 0.7 * r, 0.4 * r});
-    if (i % 4 == 2) solid = moved(sphere(r), {0.4 * r, 0, 0}) & moved(sphere(r), {-0.4 * r, 0, 0});
+    if (i % 4 == 2) solid = at(sphere(r), {0.4 * r, 0, 0}) & at(sphere(r), {-0.4 * r, 0, 0});
     if (i % 16 == 3) solid = cylinder(2 * r, 0.3 * r, 0.3 * r, Centering::centered);
     if (i % 16 == 7) solid = box({r, 0.5 * r, 2 * r}, Centering::centered);
-    result.push_back(moved(solid, {at.x, at.y, at.z}));
+    result.push_back(at(solid, place - Point{}));
   }
   return result;
 }
@@ -98,14 +98,14 @@ TEST_CASE("solids in boxes that share surfaces are the scalar caster's") {
   std::vector<Solid> caps;
   for (int k = 0; k < 6; ++k) {
     const Vector layer{0, 0, -0.9 + 0.3 * k};
-    const Solid above = moved(box({4, 4, 4}, Centering::centered), layer + Vector{0, 0, 2});
-    const Solid below = moved(box({4, 4, 4}, Centering::centered), layer + Vector{0, 0, -2});
+    const Solid above = at(box({4, 4, 4}, Centering::centered), layer + Vector{0, 0, 2});
+    const Solid below = at(box({4, 4, 4}, Centering::centered), layer + Vector{0, 0, -2});
     for (int i = 0; i < 8; ++i) {
       for (int j = 0; j < 8; ++j) {
-        const Vector at = layer + Vector{-0.9 + 0.25 * i, -0.9 + 0.25 * j, 0};
-        voids.push_back(moved(cylinder(0.25, 0.03, 0.03), at));
-        caps.push_back(moved(sphere(0.05), at) & (j % 2 == 0 ? above : below));
-        if (i % 4 == 0) caps.push_back(moved(sphere(0.03), at) & (j % 2 == 0 ? below : above));
+        const Vector place = layer + Vector{-0.9 + 0.25 * i, -0.9 + 0.25 * j, 0};
+        voids.push_back(at(cylinder(0.25, 0.03, 0.03), place));
+        caps.push_back(at(sphere(0.05), place) & (j % 2 == 0 ? above : below));
+        if (i % 4 == 0) caps.push_back(at(sphere(0.03), place) & (j % 2 == 0 ? below : above));
       }
     }
   }
@@ -119,9 +119,9 @@ TEST_CASE("events that tie along lines among balls and bricks are the scalar cas
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
       for (int k = 0; k < 6; ++k) {
-        const Vector at{-0.625 + 0.25 * i, -0.625 + 0.25 * j, -0.625 + 0.25 * k};
+        const Vector place{-0.625 + 0.25 * i, -0.625 + 0.25 * j, -0.625 + 0.25 * k};
         const bool is_ball = (i + j + k) % 3 != 0;
-        crowd.push_back(moved(is_ball ? sphere(0.125) : box({0.25, 0.125, 0.0625}, Centering::centered), at));
+        crowd.push_back(at(is_ball ? sphere(0.125) : box({0.25, 0.125, 0.0625}, Centering::centered), place));
       }
     }
   }
@@ -152,9 +152,9 @@ TEST_CASE("events that tie along lines among balls and bricks are the scalar cas
 TEST_CASE("a face by boxes is its owner's where an intersection without a thickness has the surface as well") {
   RandomSolids random(27);
   // The two touch: flipped in one of them alone, their common face makes a hole. By the rule it is the first one's.
-  const Solid left = moved(box({0.1, 0.1, 0.1}), {0.1, 0, 0});
-  const Solid right = moved(box({0.1, 0.1, 0.1}), {0.2, 0, 0});
-  std::vector<Solid> holes{left & right, moved(box({0.3, 0.1, 0.1}), {0.2, 0, 0})};
+  const Solid left = at(box({0.1, 0.1, 0.1}), {0.1, 0, 0});
+  const Solid right = at(box({0.1, 0.1, 0.1}), {0.2, 0, 0});
+  std::vector<Solid> holes{left & right, at(box({0.3, 0.1, 0.1}), {0.2, 0, 0})};
   for (Solid& crumb : crumbs(random, 200, 0.1)) holes.push_back(std::move(crumb));
   const Scene scene = compile(die(unite(holes)));
   const Cells cells(scene);
@@ -188,7 +188,7 @@ TEST_CASE("a segment within a solid meets no surface, and is inside all the same
 TEST_CASE("lines that meet too many boxes go through cells") {
   RandomSolids random(24);
   std::vector<Solid> solids = crumbs(random, 3000, 0.02);
-  for (int i = 0; i < 100; ++i) solids.push_back(moved(sphere(0.005), {-0.99 + 0.0198 * i, 0.4, 0.3}));
+  for (int i = 0; i < 100; ++i) solids.push_back(at(sphere(0.005), {-0.99 + 0.0198 * i, 0.4, 0.3}));
   const Scene scene = compile(unite(solids));
   const Cells cells(scene);
   REQUIRE(cells.counts().boxed > 3000);

@@ -10,6 +10,7 @@
 #include "shade/ray_tree.h"
 #include "shade/render.h"
 #include "shade/tracer.h"
+#include "tests/support/at.h"
 #include "tests/support/catch.h"
 
 namespace csgcast::test {
@@ -44,8 +45,6 @@ inline Material mirror(double reflection) {
 inline Solid painted(Solid solid, const Material& material) {
   return with_look(std::move(solid), LookStatement{material, std::nullopt});
 }
-
-inline Solid at(Solid solid, Vector offset) { return transformed(std::move(solid), translation(offset)); }
 
 /// A block with these corners.
 inline Solid block(Point lower, Point upper) { return at(box(upper - lower), as_vector(lower)); }

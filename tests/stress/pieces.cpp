@@ -10,8 +10,6 @@ namespace csgcast::stress {
 
 using test::RandomSolids;
 
-Solid at(Solid solid, Vector offset) { return transformed(std::move(solid), translation(offset)); }
-
 Transform random_rotation(RandomSolids& random) {
   return rotation(Vector{random.number(0, 360), random.number(0, 360), random.number(0, 360)});
 }

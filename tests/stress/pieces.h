@@ -2,12 +2,14 @@
 #pragma once
 
 #include "tests/stress/families.h"
+#include "tests/support/at.h"
 
 namespace csgcast::stress {
 
 // What families are put together from.
 
-Solid at(Solid solid, Vector offset);
+using test::at;
+
 Transform random_rotation(test::RandomSolids& random);
 /// 10^-digits with digits anywhere in [least, most].
 double power_of_tenth(test::RandomSolids& random, double least, double most);

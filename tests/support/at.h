@@ -3,10 +3,13 @@
 
 #include <utility>
 
+#include "csg/primitives.h"
 #include "csg/solid.h"
 
 namespace csgcast::test {
 
 inline Solid at(Solid solid, Vector offset) { return transformed(std::move(solid), translation(offset)); }
+
+inline Solid ball(Vector center, double radius) { return at(sphere(radius), center); }
 
 }  // namespace csgcast::test
