@@ -19,14 +19,14 @@ class CMakeBuild(build_ext):
                         "-DCSGCAST_BUILD_TESTS=OFF", "-DCSGCAST_BUILD_EXAMPLES=OFF", f"-DPython_EXECUTABLE={sys.executable}"], check=True)
         subprocess.run(["ninja", "-C", tree, "csgcast_python"], check=True)
         target.mkdir(parents=True, exist_ok=True)
-        for built in (tree / "python" / "csgcast").glob("_core*"):
+        for built in (tree / "bindings" / "python" / "csgcast").glob("_core*"):
             self.copy_file(str(built), str(target / built.name))
 
 
 setup(
     version=re.search(r"project\(csgcast VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1],
     packages=["csgcast"],
-    package_dir={"csgcast": "python/csgcast"},
+    package_dir={"csgcast": "bindings/python/csgcast"},
     package_data={"csgcast": ["*.pyi", "py.typed"]},
     ext_modules=[Extension("csgcast._core", sources=[])],
     cmdclass={"build_ext": CMakeBuild},

@@ -11,9 +11,9 @@
 #include <new>
 #include <span>
 
-#include "cli/commands.h"
-#include "cli/output.h"
-#include "csg/error.h"
+#include "cli/command/commands.h"
+#include "cli/output/output.h"
+#include "csg/base/error.h"
 
 namespace {
 

@@ -3,9 +3,9 @@
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/csgcast)
 
-install(TARGETS csgcast_csg csgcast_raycast csgcast_measure csgcast_query csgcast_capi csgcast_shade csgcast_verify EXPORT csgcast-targets)
-install(DIRECTORY csg raycast measure query capi shade verify DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/csgcast
-        FILES_MATCHING PATTERN "*.h" PATTERN detail EXCLUDE)
+set(libraries csg raycast measure query capi shade verify)
+list(TRANSFORM libraries PREPEND csgcast_)
+install(TARGETS ${libraries} EXPORT csgcast-targets FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/csgcast)
 install(EXPORT csgcast-targets NAMESPACE csgcast:: DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/csgcast-config.cmake.in csgcast-config.cmake INSTALL_DESTINATION ${package_dir})

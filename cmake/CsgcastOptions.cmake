@@ -20,15 +20,21 @@ if(BUILD_SHARED_LIBS)
   set(CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR} $ORIGIN)
 endif()
 
-# csgcast_library(NAME): csgcast_NAME from the sources of the present folder, alias csgcast::NAME.
+# csgcast_library(NAME PUBLIC_HEADERS HEADER.. [BASE_FOLDER FOLDER]): csgcast_NAME from the sources of the present folder,
+# alias csgcast::NAME. The headers that it lists are the ones that are installed; the paths of their includes start at
+# BASE_FOLDER, by default the project's.
 function(csgcast_library name)
+  cmake_parse_arguments(arg "" "BASE_FOLDER" "PUBLIC_HEADERS" ${ARGN})
+  if(NOT arg_BASE_FOLDER)
+    set(arg_BASE_FOLDER ${PROJECT_SOURCE_DIR})
+  endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   add_library(csgcast_${name} ${sources})
   add_library(csgcast::${name} ALIAS csgcast_${name})
   set_target_properties(csgcast_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
                                                    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  target_include_directories(csgcast_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-                                                    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/csgcast>)
+  target_sources(csgcast_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${arg_BASE_FOLDER} FILES ${arg_PUBLIC_HEADERS})
+  target_include_directories(csgcast_${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_features(csgcast_${name} PUBLIC cxx_std_20)
   target_link_libraries(csgcast_${name} PRIVATE $<BUILD_INTERFACE:csgcast_options> $<BUILD_INTERFACE:csgcast_warnings>)
 endfunction()

@@ -6,11 +6,11 @@
 #include <limits>
 #include <utility>
 
-#include "measure/detail/redundancies.h"
-#include "measure/detail/shared_space.h"
-#include "raycast/caster.h"
-#include "raycast/interval_list.h"
-#include "raycast/pieces.h"
+#include "measure/search/redundancies.h"
+#include "measure/search/shared_space.h"
+#include "raycast/cells/pieces.h"
+#include "raycast/ray/caster.h"
+#include "raycast/ray/interval_list.h"
 
 namespace csgcast {
 namespace {

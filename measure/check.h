@@ -7,10 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "csg/ids.h"
-#include "csg/vector.h"
-#include "measure/measure.h"
-#include "raycast/scene.h"
+#include "csg/base/ids.h"
+#include "csg/base/vector.h"
+#include "measure/search/redundancy.h"
+#include "measure/sheet/measures.h"
+#include "raycast/scene/scene.h"
 
 namespace csgcast {
 
@@ -28,25 +29,6 @@ struct Contact {
   PartId second;
   double most = 0;  ///< of the shared volume
 };
-
-/// A statement, a leaf or one that joins solids, that the solid would be the same without.
-struct Redundancy {
-  enum class Why {
-    is_empty,       ///< nothing is in it
-    has_no_effect,  ///< its place is taken, or nothing is there to be cut
-    holds_all,      ///< it is an operand of an intersection, and the others are all within it
-  };
-  Why why = Why::has_no_effect;
-  Node::Op op = Node::Op::leaf;
-  std::uint32_t first_leaf = 0;  ///< of those in it: [first_leaf, leaf_end); a leaf's own
-  std::uint32_t leaf_end = 0;
-  Place place;
-};
-
-/// The scene text's word for it: `sphere`, `difference`; in code made `a + b` is a union.
-const char* word(const Scene& scene, const Redundancy& redundancy);
-/// `without it the shape is the same`.
-const char* reason(Redundancy::Why why);
 
 /// What may be wrong with a solid.
 struct CheckReport {

@@ -6,11 +6,11 @@
 #include <limits>
 #include <span>
 
-#include "csg/error.h"
-#include "measure/detail/body.h"
-#include "measure/detail/extent.h"
-#include "measure/detail/refinement.h"
-#include "raycast/pieces.h"
+#include "csg/base/error.h"
+#include "measure/search/body.h"
+#include "measure/search/extent.h"
+#include "measure/search/refinement.h"
+#include "raycast/cells/pieces.h"
 
 namespace csgcast {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "csg/error.h"
-#include "measure/detail/refinement.h"
-#include "measure/detail/section_arcs.h"
-#include "raycast/pieces.h"
+#include "csg/base/error.h"
+#include "measure/search/refinement.h"
+#include "measure/section/section_arcs.h"
+#include "raycast/cells/pieces.h"
 
 namespace csgcast {
 namespace {

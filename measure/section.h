@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "csg/ids.h"
-#include "csg/vector.h"
-#include "measure/measure.h"
-#include "raycast/scene.h"
+#include "csg/base/ids.h"
+#include "csg/base/vector.h"
+#include "measure/sheet/measures.h"
+#include "raycast/scene/scene.h"
 
 namespace csgcast {
 

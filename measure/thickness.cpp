@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "raycast/packet_caster.h"
+#include "raycast/packets/packet_caster.h"
 
 namespace csgcast {
 namespace {

@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
-#include "csg/ids.h"
-#include "csg/vector.h"
-#include "raycast/cells.h"
-#include "raycast/ray_arrays.h"
+#include "csg/base/ids.h"
+#include "csg/base/vector.h"
+#include "raycast/cells/cells.h"
+#include "raycast/packets/ray_arrays.h"
 
 namespace csgcast {
 

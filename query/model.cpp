@@ -14,8 +14,8 @@
 #include <mutex>
 #include <utility>
 
-#include "csg/error.h"
-#include "raycast/packet_caster.h"
+#include "csg/base/error.h"
+#include "raycast/packets/packet_caster.h"
 
 namespace csgcast {
 namespace {

@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "csg/solid.h"
-#include "raycast/caster.h"
-#include "raycast/cells.h"
-#include "raycast/scene.h"
+#include "csg/solid/solid.h"
+#include "raycast/cells/cells.h"
+#include "raycast/ray/caster.h"
+#include "raycast/scene/scene.h"
 
 namespace csgcast {
 

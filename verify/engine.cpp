@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "raycast/packet_caster.h"
+#include "raycast/packets/packet_caster.h"
 
 namespace csgcast::verify {
 namespace {

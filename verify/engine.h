@@ -8,8 +8,8 @@
 #include <span>
 #include <string_view>
 
-#include "raycast/caster.h"
-#include "raycast/cells.h"
+#include "raycast/cells/cells.h"
+#include "raycast/ray/caster.h"
 
 namespace csgcast::verify {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "csg/vector.h"
+#include "csg/base/vector.h"
 
 namespace csgcast::verify {
 

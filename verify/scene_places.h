@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "raycast/caster.h"
+#include "raycast/ray/caster.h"
 #include "verify/random.h"
 
 namespace csgcast::verify {

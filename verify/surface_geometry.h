@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "raycast/scene.h"
+#include "raycast/scene/scene.h"
 
 namespace csgcast::verify {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstddef>
 
+#include "csg/base/transform.h"
+#include "csg/base/vector.h"
 #include "csg/exact/dyadic.h"
-#include "csg/transform.h"
-#include "csg/vector.h"
 
 namespace csgcast {
 

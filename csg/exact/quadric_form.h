@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
+#include "csg/base/vector.h"
 #include "csg/exact/affine.h"
 #include "csg/exact/dyadic.h"
-#include "csg/vector.h"
 
 namespace csgcast {
 

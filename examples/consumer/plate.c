@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The same in C, from a scene text. */
-#include <capi/csgcast.h>
+#include <csgcast.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A plate with a bore: how thick it is along three rays, and how much it weighs.
-#include <csg/primitives.h>
+#include <csg/solid/primitives.h>
 #include <measure/measure.h>
 #include <query/model.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // First hits over a grid of parallel rays, as a picture of letters: the lighter, the more a face turns to the upper
 // left.
-#include <csg/primitives.h>
-#include <raycast/caster.h>
+#include <csg/solid/primitives.h>
+#include <raycast/ray/caster.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Builds a solid in code and prints where a ray is inside it, and the leaf that each end belongs to.
-#include <csg/primitives.h>
-#include <raycast/caster.h>
+#include <csg/solid/primitives.h>
+#include <raycast/ray/caster.h>
 
 #include <cstdio>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Reads a scene text and lists its named parts with their densities and bounds.
-#include <csg/text/builder.h>
-#include <csg/text/reader.h>
-#include <raycast/scene.h>
+#include <csg/text/statement/builder.h>
+#include <csg/text/syntax/reader.h>
+#include <raycast/scene/scene.h>
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where points are: inside, outside or on the boundary, decided exactly, the neighbouring doubles of a face included.
-#include <csg/primitives.h>
-#include <raycast/caster.h>
+#include <csg/solid/primitives.h>
+#include <raycast/ray/caster.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Builds a scene in code, renders it, writes the picture and tells what it cost.
-#include <csg/primitives.h>
-#include <shade/image_file.h>
-#include <shade/render.h>
+#include <csg/solid/primitives.h>
+#include <shade/picture/image_file.h>
+#include <shade/trace/render.h>
 
 #include <cstdio>
 

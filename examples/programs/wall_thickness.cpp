@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The thinnest wall that rays across a pipe meet: a bore that is off the axis, drilled into a conical pipe.
-#include <csg/primitives.h>
-#include <raycast/caster.h>
+#include <csg/solid/primitives.h>
+#include <raycast/ray/caster.h>
 
 #include <cstdio>
 #include <limits>

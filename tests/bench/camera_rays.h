@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "raycast/ray.h"
-#include "raycast/ray_arrays.h"
-#include "shade/camera.h"
+#include "raycast/line/ray.h"
+#include "raycast/packets/ray_arrays.h"
+#include "shade/film/camera.h"
 #include "tests/support/ray_batch.h"
 
 namespace csgcast::bench {

@@ -13,11 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
-#include "raycast/caster.h"
-#include "raycast/cells.h"
-#include "raycast/detail/lanes.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
+#include "raycast/cells/cells.h"
+#include "raycast/cells/cells_data.h"
+#include "raycast/packets/detail/lanes.h"
+#include "raycast/ray/caster.h"
 #include "tests/bench/rays_across.h"
 #include "tests/bench/uncertified_lanes.h"
 #include "tests/support/ray_batch.h"

@@ -18,9 +18,9 @@
 #include <unordered_set>
 #include <vector>
 
-#include "csg/error.h"
-#include "raycast/packet_caster.h"
-#include "raycast/scene.h"
+#include "csg/base/error.h"
+#include "raycast/packets/packet_caster.h"
+#include "raycast/scene/scene.h"
 #include "tests/bench/camera_rays.h"
 #include "tests/bench/packet_query.h"
 #include "tests/bench/random_balls.h"

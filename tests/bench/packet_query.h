@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "raycast/packet_caster.h"
+#include "raycast/packets/packet_caster.h"
 #include "tests/bench/camera_rays.h"
 
 namespace csgcast::bench {

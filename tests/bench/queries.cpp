@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
-#include "raycast/caster.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
+#include "raycast/ray/caster.h"
 #include "tests/bench/rays_across.h"
 
 namespace csgcast {

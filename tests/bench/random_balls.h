@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-#include "csg/transform.h"
+#include "csg/base/transform.h"
 #include "tests/support/at.h"
 
 namespace csgcast::bench {

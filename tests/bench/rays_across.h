@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "csg/bounds.h"
-#include "raycast/ray.h"
+#include "csg/base/box.h"
+#include "raycast/line/ray.h"
 
 namespace csgcast::bench {
 

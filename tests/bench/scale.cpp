@@ -24,9 +24,9 @@
 #include <utility>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "raycast/packet_caster.h"
-#include "raycast/scene.h"
+#include "csg/solid/primitives.h"
+#include "raycast/packets/packet_caster.h"
+#include "raycast/scene/scene.h"
 #include "tests/bench/camera_rays.h"
 #include "tests/bench/packet_query.h"
 #include "tests/bench/random_balls.h"

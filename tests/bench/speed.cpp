@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "csg/error.h"
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
-#include "raycast/caster.h"
-#include "raycast/packet_caster.h"
-#include "shade/view.h"
+#include "csg/base/error.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
+#include "raycast/packets/packet_caster.h"
+#include "raycast/ray/caster.h"
+#include "shade/film/view.h"
 #include "tests/bench/camera_rays.h"
 #include "tests/bench/packet_query.h"
 #include "tests/bench/timed_work.h"

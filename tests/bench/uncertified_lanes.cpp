@@ -18,7 +18,7 @@ using namespace csgcast::detail;
 // The lanes once more, under another name.
 #define CSGCAST_UNCERTIFIED_LANES
 #define detail uncertified
-#include "raycast/detail/lanes.cpp"
+#include "raycast/packets/detail/lanes.cpp"
 #undef detail
 
 #if HWY_ONCE

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raycast/detail/lanes.h"
+#include "raycast/packets/detail/lanes.h"
 
 namespace csgcast::bench {
 

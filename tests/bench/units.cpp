@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
-#include "raycast/caster.h"
+#include "csg/solid/primitives.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
+#include "raycast/ray/caster.h"
 #include "tests/bench/rays_across.h"
 
 namespace csgcast::bench {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "capi/csgcast.h"
+#include "bindings/c/csgcast.h"
 
 #include <cmath>
 #include <cstring>

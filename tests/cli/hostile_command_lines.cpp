@@ -3,7 +3,6 @@
 
 namespace csgcast::test {
 
-// long: a table
 std::vector<Hostile> hostile_command_lines() {
   const auto render = [](std::vector<std::string> more) {
     std::vector<std::string> all{"render", "scene.csg", "-o", "out.png"};

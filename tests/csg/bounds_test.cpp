@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "csg/bounds.h"
+#include "csg/solid/bounds.h"
 
 #include <cmath>
 #include <limits>
 
-#include "csg/hull.h"
+#include "csg/exact/hull.h"
 #include "tests/csg/membership.h"
 #include "tests/support/catch.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "csg/detail/directed.h"
+#include "csg/exact/directed.h"
 #include "tests/support/catch.h"
 
 using namespace csgcast;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "csg/hull.h"
+#include "csg/exact/hull.h"
 
 #include <cmath>
 #include <map>
@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "csg/base/transform.h"
 #include "csg/exact/dyadic.h"
-#include "csg/transform.h"
 #include "tests/support/catch.h"
 
 using namespace csgcast;

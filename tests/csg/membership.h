@@ -7,8 +7,8 @@
 
 #include "csg/exact/affine.h"
 #include "csg/exact/quadric_form.h"
-#include "csg/primitives.h"
-#include "csg/solid.h"
+#include "csg/solid/primitives.h"
+#include "csg/solid/solid.h"
 
 namespace csgcast::testing {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "csg/parts.h"
+#include "csg/solid/parts.h"
 
-#include "csg/primitives.h"
+#include "csg/solid/primitives.h"
 #include "tests/support/catch.h"
 
 using namespace csgcast;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "csg/primitives.h"
+#include "csg/solid/primitives.h"
 
 #include <cmath>
 #include <limits>
 
-#include "csg/error.h"
+#include "csg/base/error.h"
 #include "tests/csg/membership.h"
 #include "tests/support/catch.h"
 

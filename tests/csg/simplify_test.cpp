@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "csg/simplify.h"
+#include "csg/solid/simplify.h"
 
 #include <set>
 

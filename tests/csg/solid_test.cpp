@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "csg/primitives.h"
+#include "csg/solid/primitives.h"
 #include "tests/support/catch.h"
 
 using namespace csgcast;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "csg/text/solid_text.h"
+#include "csg/text/statement/solid_text.h"
 
 #include <algorithm>
 
-#include "csg/primitives.h"
-#include "csg/simplify.h"
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
-#include "csg/text/writer.h"
+#include "csg/solid/primitives.h"
+#include "csg/solid/simplify.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
+#include "csg/text/syntax/writer.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
 

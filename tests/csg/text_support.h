@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
 
 namespace csgcast::text {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "csg/transform.h"
+#include "csg/base/transform.h"
 
 #include <cmath>
 #include <limits>

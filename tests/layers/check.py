@@ -2,30 +2,73 @@
 # SPDX-License-Identifier: MIT
 """Checks the rules of the house that no compiler checks. Usage: check.py PROJECT_FOLDER
 
-Includes point down only, cli -> shade, measure, query, verify -> raycast -> csg; they start with the module's name; a .cpp includes its own header
-first. What is below MODULE/detail/ is included by that module and by the tests, never by a public header. Each library of a kind
-of picture is seen by one file of shade/, CGAL only by the tests. No file is longer than 400 lines, no function longer than 60 unless a comment
-`// long: REASON` stands right above it or inside it. Names of test cases have no semicolon, at which CTest parts them. Prints file:line: breach for each, and exits 1 if there is one.
+Rooms and floors. A room is a folder that FLOORS names, with all that is below it and in no other room. A file includes
+its own room, and rooms on lower floors of its module or of the modules below it (BELOW). No rooms include each other in
+a circle. No room has more than 30 files.
+
+Headers. Paths start with the module's name, and a .cpp includes its own header first. What stands in a room's detail/
+is for that room and the tests. The public headers of a module are those that its CMakeLists.txt lists: they include
+public headers only and name nothing of namespace detail; other modules include nothing else (SHARED: but these).
+
+Classes. The member functions of a class stand in one .cpp, or in several that all bear the class's name.
+
+Libraries. Each library of a kind of picture is seen by one file of shade/, CGAL by the tests only.
+
+Tests. A file with test cases is called *_test.cpp, and only such a file. Names of test cases have no semicolon, at
+which CTest parts them.
+
+Prints file:line: breach for each, and exits 1 if there is one. Sizes are places to look, not rules: --sizes lists the
+files of more than 400 lines and the functions of more than 60.
 """
 import re
 import sys
+from collections import defaultdict
 from pathlib import Path
 
-BELOW = {"csg": [], "raycast": ["csg"], "shade": ["csg", "raycast"], "measure": ["csg", "raycast"], "query": ["csg", "raycast"], "capi": ["csg", "raycast", "measure", "query"],
-         "verify": ["csg", "raycast"],
-         "cli": ["csg", "raycast", "shade", "measure", "query", "verify"],
-         "python": ["csg", "raycast", "shade", "measure", "query"]}  # what each module may include besides itself
+BELOW = {
+    "csg": [],
+    "raycast": ["csg"],
+    "measure": ["csg", "raycast"],
+    "query": ["csg", "raycast"],
+    "verify": ["csg", "raycast"],
+    "shade": ["csg", "raycast"],
+    "bindings": ["csg", "raycast", "measure", "query", "shade"],
+    "cli": ["csg", "raycast", "measure", "query", "verify", "shade"],
+}  # what each module may include besides itself
 MODULES = list(BELOW)
 FOLDERS = MODULES + ["tests", "examples"]
-MAX_FILE, MAX_FUNCTION = 400, 60
+
+# The rooms of each module, floor by floor from the bottom up.
+FLOORS = [
+    ["csg/base", "raycast/simd", "shade/light", "measure/sheet", "cli/output"],
+    ["csg/exact", "raycast/line", "shade/film", "measure/search", "measure/section", "cli/input"],
+    ["csg/solid", "raycast/surface", "shade/picture", "shade/trace", "cli/command"],
+    ["csg/text/syntax", "raycast/scene"],
+    ["csg/text/statement", "raycast/ray", "raycast/cells/formula"],
+    ["raycast/cells/build"],
+    ["raycast/cells"],
+    ["raycast/packets"],
+    ["measure", "query", "verify", "shade", "bindings/c", "bindings/python", "cli"],
+]
+APART = {("raycast/cells", "raycast/ray"), ("raycast/ray", "raycast/cells/formula")}  # whatever their floors
+SHARED = {"raycast/simd": ["shade"]}  # a room whose headers are not public, and the modules that see it all the same
+MOST_FILES = 30
+LONG_FILE, LONG_FUNCTION = 400, 60
 
 # The libraries of the kinds of pictures, by the names of their headers.
 PICTURE_LIBRARIES = {"libpng": r"png\w*\.h", "libjpeg": r"(jpeglib|jerror|turbojpeg)\.h", "libtiff": r"tiff\w*\.h",
                      "OpenEXR": r"((OpenEXR|Imath)/.*|(Imf|Imath|Iex|IlmThread)\w*\.h)"}
 
+FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)')
 COMMENT_OR_LITERAL = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"(?P<tag>[^(\s]*)\(.*?\)(?P=tag)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\'', re.S)
+MEMBER = re.compile(r"^(?=\S)(?:[\w:<>,&*\[\] ]+[ &*])?((?:\w+::)+)(?:~?\w+|operator[^\s(]+) ?\(", re.M)
+
+
+def room_of(name):
+    """The room that a file stands in; None if it is in none, as tests are."""
+    return max((room for room in FLOOR if name.startswith(room + "/")), key=len, default=None)
 
 
 def includes(text):
@@ -67,62 +110,159 @@ def picture_library(path):
     return next((name for name, headers in PICTURE_LIBRARIES.items() if re.fullmatch(headers, path)), None)
 
 
-def check_sizes(name, text):
-    lines = text.splitlines()
-    if len(lines) > MAX_FILE:
-        yield f"{name}:{len(lines)}: longer than {MAX_FILE} lines"
-    for first, last in functions(text):
-        excused = any(re.search(r"// long: \S", line) for line in lines[max(first - 2, 0):last])
-        if last - first + 1 > MAX_FUNCTION and not excused:
-            yield f"{name}:{first}: a function of {last - first + 1} lines, more than {MAX_FUNCTION}"
+def public_headers(root):
+    """The headers that the modules' CMakeLists.txt list."""
+    listed = set()
+    for path in root.glob("**/CMakeLists.txt"):
+        folder = path.parent.relative_to(root)
+        if folder.parts and folder.parts[0] in MODULES:
+            for match in re.finditer(r"PUBLIC_HEADERS([^)]*)\)", path.read_text()):
+                listed |= {(folder / header).as_posix() for header in match[1].split()}
+    return listed
 
 
-def check_includes(name, text, own_header):
+def check_include(name, path, public):
+    """What is wrong with an include of a header of the project; None if nothing is."""
+    module, target = name.split("/")[0], path.split("/")[0]
+    if target not in FOLDERS:
+        return f'"{path}" does not start with a module'
+    if module not in MODULES:
+        return None
+    if target != module and target not in BELOW[module]:
+        return f"{module} may not include {path}"
+    own, other = room_of(name), room_of(path)
+    if "/detail/" in path and own != other:
+        return f"{path} is private"
+    if target != module and path not in public and module not in SHARED.get(other, []):
+        return f"{path} is not public"
+    if name in public and path not in public:
+        return f"a public header includes {path}, which is not public"
+    if own and other and own != other and target == module:
+        if FLOOR[other] > FLOOR[own]:
+            return f"{own} may not include {path}, which is on a higher floor"
+        if FLOOR[other] == FLOOR[own] or {(own, other), (other, own)} & APART:
+            return f"{own} may not include {path}: neither room builds on the other"
+    return None
+
+
+def check_includes(name, text, own_header, public):
     """`own_header`: the path of the header beside a .cpp, None if there is none."""
     module = name.split("/")[0]
-    visible = BELOW[module] + [module] if module in MODULES else FOLDERS
-    is_public_header = name.endswith(".h") and module in MODULES and "/detail/" not in name
     found = list(includes(text))
     if own_header and (not found or found[0][2] != own_header):
         yield f'{name}:1: its first include is not "{own_header}"'
     for line, quote, path in found:
-        where, target = f"{name}:{line}", path.split("/")[0]
-        if quote == '"' and target not in FOLDERS:
-            yield f'{where}: "{path}" does not start with a module'
-        elif quote == '"' and target not in visible:
-            yield f"{where}: {module} may not include {path}"
-        elif quote == '"' and "/detail/" in path and (is_public_header or module not in (target, "tests")):
-            yield f"{where}: {path} is private"
-        elif target == "CGAL" and module != "tests":
-            yield f"{where}: CGAL is for the tests alone"
+        if quote == '"' and (breach := check_include(name, path, public)):
+            yield f"{name}:{line}: {breach}"
+        elif path.startswith("CGAL/") and module != "tests":
+            yield f"{name}:{line}: CGAL is for the tests alone"
         elif (library := picture_library(path)) and module not in ("shade", "tests"):
-            yield f"{where}: {library} is for one file of shade alone"
+            yield f"{name}:{line}: {library} is for one file of shade alone"
 
 
-def check_test_names(name, text):
+def check_public(name, text):
+    for number, line in enumerate(code_only(text).splitlines(), 1):
+        if re.search(r"\bdetail\b", line):
+            yield f"{name}:{number}: a public header names detail"
+
+
+def check_tests(name, text):
+    has_cases = False
     for number, line in enumerate(text.splitlines(), 1):
+        has_cases = has_cases or line.startswith("TEST_CASE(")
         if re.match(r'TEST_CASE\("[^"]*;', line):
             yield f"{name}:{number}: a test case with a semicolon in its name"
+    if name.startswith("tests/") and has_cases != name.endswith("_test.cpp"):
+        yield f"{name}:1: a file is called *_test.cpp if it has test cases, and only then"
+
+
+def circles(edges):
+    """Rooms that include each other in a circle, each circle once, as `a -> b -> a`."""
+    reached = {}
+    for start in edges:
+        seen, todo = set(), [start]
+        while todo:
+            todo += [room for room in edges.get(todo.pop(), ()) if room not in seen and not seen.add(room)]
+        reached[start] = seen
+    told = set()
+    for room in sorted(edges):
+        circle = sorted(other for other in reached[room] if room in reached.get(other, ()))
+        if circle and circle[0] not in told:
+            told |= set(circle)
+            yield " -> ".join(circle + circle[:1])
+
+
+def words(name):
+    """BoxTree2D -> box_tree2_d."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+
+
+def classes_in(text):
+    """The classes whose member functions a .cpp defines. A nested class belongs to the outermost one."""
+    for match in MEMBER.finditer(code_only(text)):
+        scopes = [scope for scope in match[1].split("::") if scope and scope[0].isupper()]
+        if scopes:
+            yield scopes[0]
+
+
+def check_classes(homes):
+    """`homes`: for each (room, class) the files with its member functions."""
+    for (_, owner), files in sorted(homes.items()):
+        strangers = [name for name in sorted(files) if words(owner) not in Path(name).stem]
+        if len(files) > 1 and strangers:
+            yield f"{strangers[0]}:1: {owner} is spread over {len(files)} files, and this one does not bear its name"
+
+
+def sources(root):
+    """(path from the root, text) of each source file."""
+    for folder in FOLDERS:
+        for path in sorted((root / folder).rglob("*.[hc]*")):
+            if path.suffix in (".h", ".cpp"):
+                yield path.relative_to(root).as_posix(), path.read_text()
 
 
 def check(root):
+    public = public_headers(root)
     seen_by = {}  # the first file of shade that includes a library of pictures
-    for folder in FOLDERS:
-        for path in sorted((root / folder).rglob("*.[hc]*")):
-            if path.suffix not in (".h", ".cpp"):
-                continue
-            name, text = path.relative_to(root).as_posix(), path.read_text()
-            header = path.with_suffix(".h") if path.suffix == ".cpp" else None
-            own_header = header.relative_to(root).as_posix() if header and header.exists() else None
-            yield from check_sizes(name, text)
-            yield from check_test_names(name, text)
-            yield from check_includes(name, text, own_header)
-            for library in {picture_library(target) for _, _, target in includes(text)} - {None}:
-                if folder == "shade" and seen_by.setdefault(library, name) != name:
-                    yield f"{name}:1: {library} is seen by {seen_by[library]} already"
+    edges, homes, files_in = defaultdict(set), defaultdict(set), defaultdict(int)
+    for name, text in sources(root):
+        header = name[:-4] + ".h" if name.endswith(".cpp") else None
+        own_header = header if header and (root / header).exists() else None
+        yield from check_includes(name, text, own_header, public)
+        yield from check_tests(name, text)
+        if name in public:
+            yield from check_public(name, text)
+        if room := room_of(name):
+            files_in[room] += 1
+            edges[room] |= {other for _, _, path in includes(text) if (other := room_of(path)) and other != room}
+        if name.endswith(".cpp") and name.split("/")[0] in MODULES:
+            for owner in classes_in(text):
+                homes[room, owner].add(name)
+        for library in {picture_library(target) for _, _, target in includes(text)} - {None}:
+            if name.startswith("shade/") and seen_by.setdefault(library, name) != name:
+                yield f"{name}:1: {library} is seen by {seen_by[library]} already"
+    for circle in circles(edges):
+        yield f"{circle.split()[0]}:1: rooms include each other: {circle}"
+    for room, count in sorted(files_in.items()):
+        if count > MOST_FILES:
+            yield f"{room}:1: a room of {count} files, more than {MOST_FILES}"
+    yield from check_classes(homes)
+    for header in sorted(public):
+        if not (root / header).exists():
+            yield f"{header}:1: listed as a public header, but there is none"
+
+
+def sizes(root):
+    for name, text in sources(root):
+        if (lines := len(text.splitlines())) > LONG_FILE:
+            yield f"{name}:1: {lines} lines"
+        for first, last in functions(text):
+            if last - first + 1 > LONG_FUNCTION:
+                yield f"{name}:{first}: a function of {last - first + 1} lines"
 
 
 if __name__ == "__main__":
-    breaches = list(check(Path(sys.argv[1])))
-    print("\n".join(breaches))
-    sys.exit(1 if breaches else 0)
+    asked = sizes if "--sizes" in sys.argv else check
+    found = list(asked(Path(next(argument for argument in sys.argv[1:] if not argument.startswith("--")))))
+    print("\n".join(found))
+    sys.exit(1 if found and asked is check else 0)

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "csg/primitives.h"
-#include "raycast/caster.h"
+#include "csg/solid/primitives.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
 

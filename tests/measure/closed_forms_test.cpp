@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "csg/primitives.h"
+#include "csg/solid/primitives.h"
 #include "measure/measure.h"
 #include "tests/measure/revolved.h"
 #include "tests/support/catch.h"

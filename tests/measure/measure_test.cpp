@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "csg/error.h"
-#include "csg/primitives.h"
-#include "raycast/caster.h"
+#include "csg/base/error.h"
+#include "csg/solid/primitives.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
 

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "measure/detail/estimate.h"
-#include "raycast/caster.h"
-#include "raycast/pieces.h"
-#include "raycast/truth_table.h"
+#include "csg/base/truth_table.h"
+#include "csg/solid/primitives.h"
+#include "measure/sheet/estimate.h"
+#include "raycast/cells/pieces.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
 

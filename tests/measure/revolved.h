@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "csg/transform.h"
-#include "csg/vector.h"
+#include "csg/base/transform.h"
+#include "csg/base/vector.h"
 
 namespace csgcast::test {
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "csg/primitives.h"
-#include "raycast/scene.h"
+#include "csg/solid/primitives.h"
+#include "raycast/scene/scene.h"
 #include "tests/support/catch.h"
 
 using namespace csgcast;

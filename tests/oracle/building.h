@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "csg/primitives.h"
+#include "csg/solid/primitives.h"
 #include "tests/oracle/subject.h"
 #include "tests/support/polyhedra.h"
 

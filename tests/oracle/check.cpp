@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "raycast/caster.h"
+#include "raycast/ray/caster.h"
 #include "tests/oracle/exact_answer.h"
 #include "tests/oracle/nearest.h"
 #include "tests/oracle/queries.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "raycast/ray.h"
+#include "raycast/line/ray.h"
 #include "tests/oracle/subject.h"
 
 namespace csgcast::oracle {

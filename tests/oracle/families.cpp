@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/primitives.h"
+#include "csg/solid/primitives.h"
 #include "tests/oracle/building.h"
 #include "tests/support/polyhedra.h"
 

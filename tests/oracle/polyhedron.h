@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "raycast/hit.h"
+#include "raycast/ray/hit.h"
 #include "tests/oracle/rational.h"
 
 namespace csgcast::oracle {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/bounds.h"
+#include "csg/base/box.h"
 #include "tests/support/polyhedra.h"
 
 namespace csgcast::oracle {
@@ -12,7 +12,7 @@ namespace {
 
 double longest(Vector v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
-// What a ray takes: raycast/ray.h.
+// What a ray takes: raycast/line/ray.h.
 bool is_direction(Vector d) {
   return is_finite(d) && longest(d) >= Ray::least_direction && longest(d) <= Ray::greatest;
 }

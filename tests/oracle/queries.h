@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "raycast/ray.h"
+#include "raycast/line/ray.h"
 #include "tests/oracle/polyhedron.h"
 #include "tests/support/random_solid.h"
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "csg/base/transform.h"
+#include "csg/base/vector.h"
 #include "csg/exact/dyadic.h"
-#include "csg/transform.h"
-#include "csg/vector.h"
 
 namespace csgcast::oracle {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "csg/solid.h"
-#include "raycast/scene.h"
+#include "csg/solid/solid.h"
+#include "raycast/scene/scene.h"
 #include "tests/oracle/polyhedron.h"
 
 namespace csgcast::oracle {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <thread>
 
-#include "csg/error.h"
-#include "csg/primitives.h"
+#include "csg/base/error.h"
+#include "csg/solid/primitives.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "raycast/caster.h"
-#include "raycast/part_overlaps.h"
+#include "csg/solid/primitives.h"
+#include "raycast/ray/caster.h"
+#include "raycast/ray/part_overlaps.h"
 #include "tests/support/at.h"
 #include "tests/support/catch.h"
 #include "tests/support/examples.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <vector>
 
-#include "csg/primitives.h"
-#include "csg/transform.h"
-#include "raycast/cells.h"
-#include "raycast/packet_caster.h"
+#include "csg/base/transform.h"
+#include "csg/solid/primitives.h"
+#include "raycast/cells/cells.h"
+#include "raycast/packets/packet_caster.h"
 #include "tests/support/at.h"
 #include "tests/support/batches.h"
 #include "tests/support/catch.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "raycast/cells.h"
+#include "raycast/cells/cells.h"
+#include "raycast/cells/cells_data.h"
 
 #include <tbb/task_arena.h>
 
@@ -8,10 +9,10 @@
 #include <span>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "csg/transform.h"
-#include "raycast/detail/cell_data.h"
-#include "raycast/packet_caster.h"
+#include "csg/base/transform.h"
+#include "csg/solid/primitives.h"
+#include "raycast/cells/build/cell_data.h"
+#include "raycast/packets/packet_caster.h"
 #include "tests/support/batches.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"

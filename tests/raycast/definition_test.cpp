@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "csg/primitives.h"
-#include "raycast/caster.h"
+#include "csg/solid/primitives.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "raycast/caster.h"
+#include "csg/solid/primitives.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/at.h"
 #include "tests/support/catch.h"
 #include "tests/support/examples.h"

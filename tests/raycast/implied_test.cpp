@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "csg/transform.h"
-#include "raycast/cells.h"
-#include "raycast/detail/cell_builder.h"
-#include "raycast/detail/implications.h"
-#include "raycast/packet_caster.h"
+#include "csg/base/transform.h"
+#include "csg/solid/primitives.h"
+#include "raycast/cells/build/cell_builder.h"
+#include "raycast/cells/cells.h"
+#include "raycast/cells/formula/implications.h"
+#include "raycast/packets/packet_caster.h"
 #include "tests/support/at.h"
 #include "tests/support/batches.h"
 #include "tests/support/catch.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "csg/instruction_set.h"
+#include "raycast/simd/instruction_set.h"
 
 #include <hwy/targets.h>
 
 #include <catch2/catch.hpp>
 
-#include "raycast/packet_caster.h"
+#include "raycast/packets/packet_caster.h"
 
 using csgcast::InstructionSet;
 using csgcast::PacketCaster;

@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "raycast/caster.h"
+#include "csg/solid/primitives.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
 
 using namespace csgcast;

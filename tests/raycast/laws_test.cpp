@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/primitives.h"
-#include "csg/simplify.h"
-#include "raycast/caster.h"
+#include "csg/solid/primitives.h"
+#include "csg/solid/simplify.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
 #include "tests/support/membership.h"
 #include "tests/support/random_solid.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "raycast/part_overlaps.h"
+#include "raycast/ray/part_overlaps.h"
 
 #include <algorithm>
 #include <string>
 
-#include "raycast/interval_list.h"
+#include "raycast/ray/interval_list.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
 #include "tests/support/scene_rays.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "csg/primitives.h"
-#include "raycast/caster.h"
+#include "csg/solid/primitives.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/at.h"
 #include "tests/support/catch.h"
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "raycast/caster.h"
+#include "csg/solid/primitives.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
 #include "tests/support/examples.h"
 #include "tests/support/random_solid.h"

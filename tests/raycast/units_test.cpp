@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "raycast/caster.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
 #include "tests/support/examples.h"
 #include "tests/support/rounded_leaves.h"

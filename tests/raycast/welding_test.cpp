@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
-#include "raycast/caster.h"
+#include "csg/solid/primitives.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
+#include "raycast/ray/caster.h"
 #include "tests/support/at.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "raycast/ray.h"
+#include "raycast/line/ray.h"
 
 namespace csgcast::test {
 

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "csg/primitives.h"
-#include "csg/scene_description.h"
-#include "csg/solid.h"
-#include "raycast/caster.h"
-#include "shade/ray_tree.h"
-#include "shade/render.h"
-#include "shade/tracer.h"
+#include "csg/solid/primitives.h"
+#include "csg/solid/scene_description.h"
+#include "csg/solid/solid.h"
+#include "raycast/ray/caster.h"
+#include "shade/trace/ray_tree.h"
+#include "shade/trace/render.h"
+#include "shade/trace/tracer.h"
 #include "tests/support/at.h"
 #include "tests/support/catch.h"
 

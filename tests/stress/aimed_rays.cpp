@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "raycast/caster.h"
+#include "raycast/ray/caster.h"
 #include "tests/stress/pieces.h"
 
 namespace csgcast::stress {

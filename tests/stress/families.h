@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "csg/solid.h"
-#include "raycast/ray.h"
+#include "csg/solid/solid.h"
+#include "raycast/line/ray.h"
 #include "tests/support/random_solid.h"
 
 namespace csgcast::stress {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "csg/primitives.h"
+#include "csg/solid/primitives.h"
 #include "tests/stress/aimed_rays.h"
 #include "tests/stress/family_lists.h"
 #include "tests/stress/pieces.h"

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "csg/primitives.h"
-#include "csg/solid.h"
+#include "csg/solid/primitives.h"
+#include "csg/solid/solid.h"
 
 namespace csgcast::test {
 

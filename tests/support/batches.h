@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "raycast/packet_caster.h"
+#include "raycast/packets/packet_caster.h"
 #include "tests/support/random_solid.h"
 #include "tests/support/ray_batch.h"
 

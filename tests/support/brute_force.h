@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "raycast/ray.h"
-#include "raycast/scene.h"
+#include "raycast/line/ray.h"
+#include "raycast/scene/scene.h"
 
 namespace csgcast::test {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "csg/solid.h"
+#include "csg/solid/solid.h"
 
 namespace csgcast::test {
 

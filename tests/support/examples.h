@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
 
 namespace csgcast::test {
 

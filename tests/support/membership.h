@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "csg/exact/affine.h"
-#include "csg/solid.h"
+#include "csg/solid/solid.h"
 
 namespace csgcast::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raycast/caster.h"
+#include "raycast/ray/caster.h"
 
 namespace csgcast::test {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "csg/transform.h"
-#include "csg/vector.h"
+#include "csg/base/transform.h"
+#include "csg/base/vector.h"
 #include "tests/support/random_solid.h"
 
 namespace csgcast::test {

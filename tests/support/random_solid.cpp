@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "csg/primitives.h"
+#include "csg/solid/primitives.h"
 
 namespace csgcast::test {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-#include "csg/solid.h"
+#include "csg/solid/solid.h"
 
 namespace csgcast::test {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "raycast/ray.h"
-#include "raycast/ray_arrays.h"
+#include "raycast/line/ray.h"
+#include "raycast/packets/ray_arrays.h"
 
 namespace csgcast::test {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "csg/solid.h"
+#include "csg/solid/solid.h"
 
 namespace csgcast::test {
 

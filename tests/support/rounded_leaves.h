@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "csg/solid.h"
+#include "csg/solid/solid.h"
 
 namespace csgcast::test {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "raycast/ray.h"
-#include "raycast/scene.h"
+#include "raycast/line/ray.h"
+#include "raycast/scene/scene.h"
 #include "tests/support/random_solid.h"
 
 namespace csgcast::test {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "csg/primitives.h"
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
-#include "raycast/scene.h"
+#include "csg/solid/primitives.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
+#include "raycast/scene/scene.h"
 
 namespace csgcast::test {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "raycast/predicates.h"
+#include "raycast/surface/predicates.h"
 #include "tests/support/catch.h"
 #include "tests/verify/models.h"
 

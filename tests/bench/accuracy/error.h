@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "raycast/hit.h"
+#include "raycast/ray/hit.h"
 
 namespace csgcast::bench {
 

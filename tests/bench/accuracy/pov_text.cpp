@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "csg/simplify.h"
+#include "csg/solid/simplify.h"
 
 namespace csgcast::bench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "csg/solid.h"
+#include "csg/solid/solid.h"
 
 namespace csgcast::bench {
 

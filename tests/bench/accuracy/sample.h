@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "raycast/caster.h"
+#include "raycast/ray/caster.h"
 #include "tests/stress/families.h"
 
 namespace csgcast::bench {

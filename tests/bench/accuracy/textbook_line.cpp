@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "raycast/detail/line_crossings.h"
+#include "raycast/surface/detail/line_crossings.h"
 
 namespace csgcast::bench {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raycast/predicates.h"
+#include "raycast/surface/predicates.h"
 
 namespace csgcast::bench {
 

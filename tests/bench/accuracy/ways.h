@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "raycast/predicates.h"
+#include "raycast/surface/predicates.h"
 
 namespace csgcast::bench {
 

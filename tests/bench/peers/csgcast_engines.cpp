@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "raycast/caster.h"
-#include "raycast/packet_caster.h"
+#include "raycast/packets/packet_caster.h"
+#include "raycast/ray/caster.h"
 #include "tests/bench/peers/engines.h"
 
 namespace csgcast::bench {

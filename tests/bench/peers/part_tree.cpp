@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "csg/simplify.h"
+#include "csg/solid/simplify.h"
 
 namespace csgcast::bench {
 namespace {

@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "csg/bounds.h"
-#include "csg/solid.h"
-#include "csg/vector.h"
+#include "csg/base/box.h"
+#include "csg/base/vector.h"
+#include "csg/solid/solid.h"
 
 namespace csgcast::bench {
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
-#include "shade/camera.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
+#include "shade/film/camera.h"
 
 namespace csgcast::bench {
 namespace {

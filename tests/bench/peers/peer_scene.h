@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "raycast/ray.h"
-#include "raycast/scene.h"
+#include "raycast/line/ray.h"
+#include "raycast/scene/scene.h"
 #include "tests/bench/peers/part_tree.h"
 
 namespace csgcast::bench {

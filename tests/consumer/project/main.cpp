@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A box with a hole, and one ray through it: intervals [1, 2] and [4, 5].
-#include <csg/primitives.h>
-#include <raycast/caster.h>
+#include <csg/solid/primitives.h>
+#include <raycast/ray/caster.h>
 
 #include <cstdlib>
 #include <iostream>

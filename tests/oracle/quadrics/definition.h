@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "raycast/ray.h"
+#include "raycast/line/ray.h"
+#include "raycast/ray/hit.h"
 #include "tests/oracle/quadrics/root.h"
 #include "tests/oracle/quadrics/subject.h"
 

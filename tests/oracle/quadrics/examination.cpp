@@ -8,7 +8,7 @@
 #include <limits>
 #include <string_view>
 
-#include "raycast/caster.h"
+#include "raycast/ray/caster.h"
 #include "tests/oracle/quadrics/judge.h"
 
 namespace csgcast::oracle::quadrics {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "csg/text/builder.h"
-#include "csg/text/reader.h"
-#include "raycast/scene.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/reader.h"
+#include "raycast/scene/scene.h"
 #include "verify/adversarial_rays.h"
 #include "verify/random.h"
 

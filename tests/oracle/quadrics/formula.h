@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "csg/look.h"
-#include "csg/solid.h"
+#include "csg/solid/look.h"
+#include "csg/solid/solid.h"
 #include "tests/oracle/quadrics/form.h"
 
 namespace csgcast::oracle::quadrics {

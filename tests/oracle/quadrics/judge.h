@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "raycast/caster.h"
+#include "raycast/ray/caster.h"
 #include "tests/oracle/quadrics/definition.h"
 
 namespace csgcast::oracle::quadrics {

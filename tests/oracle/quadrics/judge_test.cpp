@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "csg/primitives.h"
+#include "csg/solid/primitives.h"
 #include "tests/oracle/quadrics/judge.h"
 #include "tests/support/catch.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "raycast/scene.h"
+#include "raycast/scene/scene.h"
 #include "tests/oracle/quadrics/formula.h"
 
 namespace csgcast::oracle::quadrics {

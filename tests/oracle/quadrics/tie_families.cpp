@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "csg/primitives.h"
+#include "csg/solid/primitives.h"
 #include "tests/stress/aimed_rays.h"
 
 namespace csgcast::oracle::quadrics {

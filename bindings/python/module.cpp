@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "bindings/python/bind.h"
+#include "csg/base/error.h"
+#include "query/model.h"
+
+// What csgcast/__init__.py makes a package of.
+
+PYBIND11_MODULE(_core, m) {
+  namespace py = pybind11;
+  py::register_exception<csgcast::Error>(m, "Error", PyExc_ValueError);
+  py::register_exception<csgcast::Cancelled>(m, "Cancelled", PyExc_RuntimeError);
+  m.attr("__version__") = CSGCAST_VERSION;
+  csgcast::python::bind_solids(m);
+  csgcast::python::bind_queries(m);
+  csgcast::python::bind_shapes(m);
+  csgcast::python::bind_pictures(m);
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <string>
+
+#include "bindings/python/bind.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/statement/solid_text.h"
+#include "csg/text/syntax/reader.h"
+#include "csg/text/syntax/writer.h"
+#include "query/model.h"
+#include "shade/film/view.h"
+#include "shade/picture/image_file.h"
+#include "shade/trace/render.h"
+
+namespace csgcast::python {
+namespace {
+
+using namespace py::literals;
+
+text::Facets facets_named(const std::string& name) {
+  if (name == "auto") return text::Facets::automatic;
+  if (name == "always") return text::Facets::always;
+  if (name == "never") return text::Facets::never;
+  throw py::value_error("facets must be 'auto', 'always' or 'never'");
+}
+
+Mode mode_named(const std::string& name) {
+  if (name == "shaded") return Mode::shaded;
+  if (name == "edges") return Mode::edges;
+  if (name == "xray") return Mode::xray;
+  if (name == "depth") return Mode::depth;
+  if (name == "normal") return Mode::normal;
+  if (name == "id") return Mode::id;
+  throw py::value_error("mode must be 'shaded', 'edges', 'xray', 'depth', 'normal' or 'id'");
+}
+
+SceneDescription read_text(const std::string& text, const std::string& facets) {
+  return text::build(text::read(text, "<text>"), {facets_named(facets)});
+}
+
+SceneDescription load(const std::string& path, const std::string& facets) {
+  return text::build(text::read_file(path), {facets_named(facets)});
+}
+
+std::vector<std::string> warnings_of(const SceneDescription& description) {
+  std::vector<std::string> texts;
+  for (const Warning& warning : description.warnings) texts.push_back(to_string(warning));
+  return texts;
+}
+
+/// eye, look_at, and maybe up, fov and height.
+CameraDescription camera_from(const py::dict& numbers) {
+  CameraDescription camera;
+  if (!numbers.contains("eye") || !numbers.contains("look_at")) throw py::value_error("a camera needs eye and look_at");
+  const Vector eye = vector_from(numbers["eye"], "eye");
+  const Vector at = vector_from(numbers["look_at"], "look_at");
+  camera.eye = {eye.x, eye.y, eye.z};
+  camera.look_at = {at.x, at.y, at.z};
+  for (const auto& [key, value] : numbers) {
+    const std::string name = key.cast<std::string>();
+    if (name == "up") {
+      camera.up = vector_from(value, "up");
+    } else if (name == "fov") {
+      camera.fov = value.cast<double>();
+    } else if (name == "height") {
+      camera.height = value.cast<double>();
+    } else if (name != "eye" && name != "look_at") {
+      throw py::value_error("a camera has no '" + name + "'; it takes eye, look_at, up, fov and height");
+    }
+  }
+  return camera;
+}
+
+Film picture(const Model& model, const SceneDescription& description, int width, int height, int samples,
+             const std::string& mode, const py::object& camera, py::object callback) {
+  RenderOptions options;
+  options.width = width;
+  options.height = height;
+  options.samples = samples;
+  options.mode = mode_named(mode);
+  SceneDescription seen = description;
+  if (!camera.is_none()) seen.camera = camera_from(camera.cast<py::dict>());
+  Progress progress(std::move(callback));
+  options.progress = [&](double done) {
+    if (!progress(done)) throw Cancelled();
+  };
+  std::optional<Film> film;
+  try {
+    const py::gil_scoped_release unlocked;
+    const double aspect = static_cast<double>(width) / std::max(height, 1);
+    film = render(model.scene(), make_view(seen, model.scene(), aspect), options);
+  } catch (const Cancelled&) {
+  }
+  progress.rethrow();
+  if (!film) throw Cancelled();
+  return std::move(*film);
+}
+
+py::array as_array(const Film& film) {
+  std::vector<float> values = film.values();
+  const int count = channels(film.content());
+  if (count == 1) return array_of<float>(std::move(values), {film.height(), film.width()});
+  return array_of<float>(std::move(values), {film.height(), film.width(), count});
+}
+
+}  // namespace
+
+void bind_pictures(py::module_& m) {
+  py::class_<SceneDescription>(m, "_Description")
+      .def(py::init<>())
+      .def_readonly("solid", &SceneDescription::solid)
+      .def("with_solid",
+           [](SceneDescription description, const Solid& solid) {
+             description.solid = solid;
+             return description;
+           })
+      .def_property_readonly("warnings", warnings_of);
+  m.def("_load", load, "path"_a, "facets"_a);
+  m.def("_read", read_text, "text"_a, "facets"_a);
+  m.def("_text_of", [](const Solid& solid) { return text::write(text::document_of(solid)); });
+  m.def("_render", [](const Model& model, const SceneDescription& description, int width, int height, int samples,
+                      const std::string& mode, const py::object& camera, py::object callback) {
+    return as_array(picture(model, description, width, height, samples, mode, camera, std::move(callback)));
+  });
+  m.def("_save_picture",
+        [](const Model& model, const SceneDescription& description, const std::string& path, int width, int height,
+           int samples, const std::string& mode, const py::object& camera, py::object callback) {
+          check_image_path(path);
+          write_image(picture(model, description, width, height, samples, mode, camera, std::move(callback)), path);
+        });
+}
+
+}  // namespace csgcast::python

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "bindings/python/bind.h"
+#include "csg/base/error.h"
+#include "measure/measure.h"
+#include "query/model.h"
+
+namespace csgcast::python {
+namespace {
+
+using namespace py::literals;
+
+/// Rays from arrays of which one may be a single origin or direction for all.
+class RayInput {
+ public:
+  RayInput(const Numbers& origins, const Numbers& directions)
+      : origins_(triples_from(origins, "origins")), directions_(triples_from(directions, "directions")) {
+    spread(origins_, directions_, memory_);
+    spread(directions_, origins_, memory_);
+    if (origins_.size() != directions_.size())
+      throw py::value_error("origins and directions must be as many, or one of them for all");
+  }
+
+  Rays rays() const { return {origins_, directions_}; }
+  py::ssize_t count() const { return static_cast<py::ssize_t>(origins_.size() / 3); }
+
+ private:
+  static void spread(std::span<const double>& one, std::span<const double> others, std::vector<double>& memory) {
+    if (one.size() != 3 || one.size() == others.size()) return;
+    memory.resize(others.size());
+    for (std::size_t i = 0; i < memory.size(); ++i) memory[i] = one[i % 3];
+    one = memory;
+  }
+
+  std::span<const double> origins_;
+  std::span<const double> directions_;
+  std::vector<double> memory_;
+};
+
+struct SpanOptions {
+  double t_min = 0;
+  double t_max = HUGE_VAL;
+  bool line = false;
+
+  Span span() const { return line ? Span::line() : Span{t_min, t_max}; }
+};
+
+/// Runs a query without Python's lock.
+template <class Query>
+auto without_lock(Progress& progress, QueryOptions& options, Query&& query) {
+  options.goes_on = [&](double done) { return progress(done); };
+  using Result = decltype(query());
+  std::optional<Result> result;
+  try {
+    const py::gil_scoped_release unlocked;
+    result = query();
+  } catch (const Cancelled&) {
+  }
+  progress.rethrow();
+  if (!result) throw Cancelled();
+  return std::move(*result);
+}
+
+py::dict intervals(const Model& model, const Numbers& origins, const Numbers& directions, double t_min, double t_max,
+                   bool line, bool faces, bool normals, py::object callback) {
+  const RayInput input(origins, directions);
+  Progress progress(std::move(callback));
+  QueryOptions options;
+  options.span = SpanOptions{t_min, t_max, line}.span();
+  options.faces = faces;
+  options.normals = normals;
+  IntervalTable table = without_lock(progress, options, [&] { return model.intervals(input.rays(), options); });
+  const auto count = static_cast<py::ssize_t>(table.count());
+  py::dict result;
+  result["offsets"] = array_of<std::uint64_t>(std::move(table.offsets), {input.count() + 1});
+  result["t"] = array_of<double>(std::move(table.t), {count, 2});
+  result["surfaces"] = array_of<std::int32_t>(std::move(table.surfaces), {count, 2});
+  result["leaves"] = faces ? py::object(array_of<std::int32_t>(std::move(table.leaves), {count, 2})) : py::none();
+  result["parts"] = faces ? py::object(array_of<std::int32_t>(std::move(table.parts), {count, 2})) : py::none();
+  result["normals"] = normals ? py::object(array_of<double>(std::move(table.normals), {count, 2, 3})) : py::none();
+  return result;
+}
+
+py::tuple first_hits(const Model& model, const Numbers& origins, const Numbers& directions, double t_min, double t_max,
+                     py::object callback) {
+  const RayInput input(origins, directions);
+  Progress progress(std::move(callback));
+  QueryOptions options;
+  options.span = {t_min, t_max};
+  HitTable table = without_lock(progress, options, [&] { return model.first_hits(input.rays(), options); });
+  return py::make_tuple(array_of<double>(std::move(table.t), {input.count()}),
+                        array_of<std::int32_t>(std::move(table.surfaces), {input.count()}),
+                        array_of<bool>(std::move(table.is_entry), {input.count()}));
+}
+
+py::array any_hits(const Model& model, const Numbers& origins, const Numbers& directions, double t_min, double t_max,
+                   py::object callback) {
+  const RayInput input(origins, directions);
+  Progress progress(std::move(callback));
+  QueryOptions options;
+  options.span = {t_min, t_max};
+  return array_of<bool>(without_lock(progress, options, [&] { return model.any_hits(input.rays(), options); }),
+                        {input.count()});
+}
+
+/// 1 inside, 0 on the boundary, -1 outside.
+py::array locate(const Model& model, const Numbers& points, py::object callback) {
+  const auto numbers = triples_from(points, "points");
+  Progress progress(std::move(callback));
+  QueryOptions options;
+  const std::vector<Location> found = without_lock(progress, options, [&] { return model.locate(numbers, options); });
+  std::vector<std::int8_t> signs(found.size());
+  std::transform(found.begin(), found.end(), signs.begin(), sign_of);
+  const auto count = static_cast<py::ssize_t>(signs.size());
+  return array_of<std::int8_t>(std::move(signs), {count});
+}
+
+py::array point_array(Point p) { return array_of<double>(std::vector<double>{p.x, p.y, p.z}, {3}); }
+
+py::object box_array(const Box& box) {
+  if (box.is_null()) return py::none();
+  return array_of<double>(
+      std::vector<double>{box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z}, {2, 3});
+}
+
+py::dict measures_dict(const Measures& m) {
+  const auto& i = m.inertia;
+  py::dict d;
+  d["is_bounded"] = m.is_bounded;
+  d["volume"] = m.volume.value;
+  d["volume_error"] = m.volume.error;
+  d["area"] = m.area.value;
+  d["area_error"] = m.area.error;
+  d["mass"] = m.mass.value;
+  d["mass_error"] = m.mass.error;
+  d["centroid"] = point_array(m.centroid);
+  d["centroid_error"] = m.centroid_error;
+  d["inertia"] = array_of<double>(std::vector<double>{i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2]}, {3, 3});
+  d["inertia_error"] = m.inertia_error;
+  d["bounds"] = box_array(m.bounds);
+  d["bounds_error"] = m.bounds_error;
+  d["cells"] = m.pieces;
+  d["as_asked"] = m.is_as_asked;
+  return d;
+}
+
+py::dict measure_model(const Model& model, double relative_error, double area_error, py::object callback) {
+  Progress progress(std::move(callback));
+  MeasureOptions options;
+  options.relative_error = relative_error;
+  options.relative_area_error = area_error;
+  options.goes_on = [&](double error) { return progress(error); };
+  SceneMeasures measures;
+  {
+    const py::gil_scoped_release unlocked;
+    measures = measure(model.scene(), options);
+  }
+  progress.rethrow();
+  py::dict result = measures_dict(measures.whole);
+  py::list parts;
+  for (std::size_t i = 0; i < measures.parts.size(); ++i) {
+    const PartName& part = model.scene().parts()[i].name;
+    py::dict d = measures_dict(measures.parts[i]);
+    d["name"] = part.name;
+    d["density"] = part.density;
+    parts.append(d);
+  }
+  result["parts"] = parts;
+  return result;
+}
+
+std::string leaf_place(const Model& model, std::int64_t leaf) {
+  const auto leaves = model.scene().leaves();
+  if (leaf < 0 || static_cast<std::size_t>(leaf) >= leaves.size()) throw py::index_error("there is no such leaf");
+  const Leaf& found = leaves[static_cast<std::size_t>(leaf)];
+  const std::string kind = word(found.kind);
+  return found.place.line > 0 ? kind + " at " + to_string(found.place) : kind;
+}
+
+}  // namespace
+
+void bind_queries(py::module_& m) {
+  py::class_<Model, std::shared_ptr<Model>>(m, "_Model")
+      .def(py::init([](const Solid& solid, std::optional<double> weld) {
+             const Welding welding = !weld ? Welding::derived() : *weld == 0 ? Welding{} : Welding::by_hand(*weld);
+             const py::gil_scoped_release unlocked;
+             return std::make_shared<Model>(solid, welding);
+           }),
+           "solid"_a, "weld"_a = py::none())
+      .def("intervals", intervals)
+      .def("first_hits", first_hits)
+      .def("any_hits", any_hits)
+      .def("locate", locate)
+      .def("measure", measure_model)
+      .def("leaf", leaf_place)
+      .def("bounds", [](const Model& model) { return box_array(model.scene().bounds()); })
+      .def("part_names",
+           [](const Model& model) {
+             std::vector<std::string> names;
+             for (const Part& part : model.scene().parts()) names.push_back(part.name.name);
+             return names;
+           })
+      .def("counts", [](const Model& model) {
+        const Cells::Counts counts = model.cells().counts();
+        py::dict d;
+        d["leaves"] = model.scene().leaves().size();
+        d["surfaces"] = model.scene().surfaces().size();
+        d["cells"] = counts.cells;
+        d["bytes"] = counts.bytes;
+        return d;
+      });
+}
+
+}  // namespace csgcast::python

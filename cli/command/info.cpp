@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <utility>
+
+#include "cli/command/commands.h"
+#include "cli/input/distinct_files.h"
+#include "cli/input/scene_input.h"
+#include "cli/output/json.h"
+#include "cli/output/labelled_row.h"
+#include "cli/output/output.h"
+#include "cli/output/printable.h"
+#include "cli/output/scene_summary.h"
+#include "cli/output/weld_lines.h"
+#include "csg/base/number_text.h"
+
+namespace csgcast::cli {
+namespace {
+
+struct InfoOptions {
+  SceneOptions scene;
+  Format format = Format::table;
+  std::string output;
+};
+
+/// All that the two formats tell.
+struct Info {
+  const FileName& file;
+  const StatementSummary& statements;
+  const SceneInput& input;
+  SurfaceSummary surfaces = summarise_surfaces(input.scene);
+  LeafSummary leaves = summarise_leaves(input.scene);
+};
+
+template <class Tag>
+std::string coordinates(const Triple<Tag>& t) {
+  return fmt::format("{}, {}, {}", number(t.x), number(t.y), number(t.z));
+}
+
+std::string coordinates(const Rgb& c) { return coordinates(Vector{c.r, c.g, c.b}); }
+
+/// `cube 3, sphere 1`.
+std::string list(const Tally& tally) {
+  std::string text;
+  for (const auto& [name, count] : tally) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count);
+  return text.empty() ? "none" : text;
+}
+
+void json_tally(Json& json, const char* name, const Tally& tally) {
+  json.key(name).begin_object(Json::Layout::compact);
+  for (const auto& [word, count] : tally) json.member(word, count);
+  json.end_object();
+}
+
+std::string bounds_line(const Box& bounds) {
+  if (bounds.is_null()) return "empty";
+  const std::string text = fmt::format("{}  to  {}", coordinates(bounds.lower), coordinates(bounds.upper));
+  return bounds.is_finite() ? fmt::format("{}  (size {})", text, coordinates(bounds.size())) : text + "  (unbounded)";
+}
+
+std::string camera_line(const std::optional<CameraDescription>& camera) {
+  if (!camera) return "none (a default one frames the solid)";
+  const std::string view = fmt::format("eye {}  look at {}  up {}", coordinates(camera->eye),
+                                       coordinates(camera->look_at), coordinates(camera->up));
+  return camera->height ? fmt::format("{}  parallel, height {}", view, number(*camera->height))
+                        : fmt::format("{}  field of view {}", view, number(camera->fov));
+}
+
+std::string light_line(const LightDescription& light) {
+  std::string text = light.position ? "at " + coordinates(*light.position) : "";
+  if (light.direction) text += "along " + coordinates(*light.direction);
+  text += fmt::format("  color {}  intensity {}", coordinates(light.color), number(light.intensity));
+  return light.falloff ? fmt::format("{}  falloff {}", text, number(*light.falloff)) : text;
+}
+
+std::string as_text(const Info& info) {
+  const Scene& scene = info.input.scene;
+  const SceneDescription& description = info.input.description;
+  std::string out;
+  append_row(out, "file", printable(info.file.string()));
+  append_row(out, "statements", fmt::format("{}: {}", info.statements.total, list(info.statements.by_name)));
+  append_row(out, "depth", fmt::format("{}", info.statements.depth));
+  append_row(out, "leaves", fmt::format("{}: {}", scene.leaves().size(), list(info.leaves.by_kind)));
+  append_row(out, "surfaces",
+             fmt::format("{}: planes {}, quadrics {}; shared by several leaves {}", scene.surfaces().size(),
+                         info.surfaces.planes, info.surfaces.quadrics, info.surfaces.shared));
+  append_welding(out, scene.weld_report());
+  append_row(out, "tree", fmt::format("{} nodes after simplification, leaves included", scene.nodes().size()));
+  append_row(out, "parts", fmt::format("{}", scene.parts().size()));
+  for (std::size_t i = 0; i < scene.parts().size(); ++i) {
+    const Part& part = scene.parts()[i];
+    append_row(out, "",
+               fmt::format("{} at {}:{}  density {}  leaves {}", printable(part.name.name), part.place.line,
+                           part.place.column, number(part.name.density), info.leaves.by_part[i]));
+  }
+  append_row(out, "regions", fmt::format("{} (runs of one part and look)", scene.regions().size()));
+  append_row(out, "looks",
+             fmt::format("{}{}", scene.looks().size(), scene.transmits() ? ", some let light through" : ""));
+  append_row(out, "bounds", bounds_line(scene.bounds()));
+  append_row(out, "camera", camera_line(description.camera));
+  append_row(out, "lights",
+             description.lights.empty() ? "none (a default one is beside the camera)"
+                                        : fmt::format("{}", description.lights.size()));
+  for (const LightDescription& light : description.lights) append_row(out, "", light_line(light));
+  append_row(out, "background", description.background ? coordinates(*description.background) : "default");
+  append_row(out, "settings",
+             fmt::format("max_depth {}, min_contribution {}", description.settings.max_depth,
+                         number(description.settings.min_contribution)));
+  append_row(out, "warnings", fmt::format("{}", description.warnings.size()));
+  append_row(out, "seconds",
+             fmt::format("read {:.3f}, compile {:.3f}", info.input.read_seconds, info.input.compile_seconds));
+  return out;
+}
+
+void json_parts(Json& json, const Info& info) {
+  const auto parts = info.input.scene.parts();
+  json.key("parts").begin_array();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    json.begin_object(Json::Layout::compact).member("name", parts[i].name.name);
+    json.member("density", parts[i].name.density);
+    json.member("place", fmt::format("{}:{}", parts[i].place.line, parts[i].place.column));
+    json.member("leaves", info.leaves.by_part[i]).end_object();
+  }
+  json.end_array();
+}
+
+/// Sides at infinity are null.
+void json_bounds(Json& json, const Box& bounds) {
+  json.key("bounds").begin_object(Json::Layout::compact).member("empty", bounds.is_null());
+  json.member("unbounded", !bounds.is_null() && !bounds.is_finite());
+  json.member("lower", bounds.lower).member("upper", bounds.upper).end_object();
+}
+
+void json_camera(Json& json, const std::optional<CameraDescription>& camera) {
+  json.key("camera");
+  if (!camera) {
+    json.null();
+    return;
+  }
+  json.begin_object(Json::Layout::compact).member("eye", camera->eye).member("look_at", camera->look_at);
+  json.member("up", camera->up);
+  camera->height ? json.member("height", *camera->height) : json.member("fov", camera->fov);
+  json.end_object();
+}
+
+void json_lights(Json& json, const std::vector<LightDescription>& lights) {
+  json.key("lights").begin_array();
+  for (const LightDescription& light : lights) {
+    json.begin_object(Json::Layout::compact);
+    if (light.position) json.member("position", *light.position);
+    if (light.direction) json.member("direction", *light.direction);
+    json.member("color", light.color).member("intensity", light.intensity);
+    if (light.falloff) json.member("falloff", *light.falloff);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void json_environment(Json& json, const SceneDescription& description) {
+  json_camera(json, description.camera);
+  json_lights(json, description.lights);
+  json.key("background");
+  description.background ? json.value(*description.background) : json.null();
+  json.key("settings").begin_object(Json::Layout::compact);
+  json.member("max_depth", std::uint64_t(description.settings.max_depth));
+  json.member("min_contribution", description.settings.min_contribution).end_object();
+  json.key("warnings").begin_array();
+  for (const Warning& warning : description.warnings) json.value(to_string(warning));
+  json.end_array();
+}
+
+std::string as_json(const Info& info) {
+  const Scene& scene = info.input.scene;
+  std::string out;
+  Json json(out);
+  json.begin_object().member("file", info.file.string());
+  json.member("statements", info.statements.total).member("depth", info.statements.depth);
+  json_tally(json, "statements_by_name", info.statements.by_name);
+  json.member("leaves", std::uint64_t(scene.leaves().size()));
+  json_tally(json, "leaves_by_kind", info.leaves.by_kind);
+  json.key("surfaces").begin_object(Json::Layout::compact).member("planes", info.surfaces.planes);
+  json.member("quadrics", info.surfaces.quadrics).member("shared", info.surfaces.shared).end_object();
+  json_welding(json, scene.weld_report());
+  json.member("nodes", std::uint64_t(scene.nodes().size()));
+  json_parts(json, info);
+  json.member("regions", std::uint64_t(scene.regions().size()));
+  json.member("looks", std::uint64_t(scene.looks().size())).member("transmits", scene.transmits());
+  json_bounds(json, scene.bounds());
+  json_environment(json, info.input.description);
+  json.key("seconds").begin_object(Json::Layout::compact).member("read", info.input.read_seconds);
+  json.member("compile", info.input.compile_seconds).end_object().end_object();
+  return out + '\n';
+}
+
+void run(const InfoOptions& options) {
+  check_distinct(std::array{NamedFile{"the scene", options.scene.path}}, std::array{NamedFile{"-o", options.output}});
+  Output output(options.output);
+  SceneOptions scene_options = options.scene;
+  scene_options.welding.lists_near_misses = scene_options.welding.mode != Welding::Mode::off;
+  DocumentInput document = read_document(scene_options);
+  const FileName file = document.document.file;
+  const StatementSummary statements = summarise_statements(document.document);
+  const SceneInput input = compile_document(std::move(document), scene_options);
+  const Info info{file, statements, input};
+  output.write(options.format == Format::json ? as_json(info) : as_text(info));
+  output.commit();
+}
+
+}  // namespace
+
+Command info_command(CLI::App& program) {
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* line = program.add_subcommand("info", "Tell what a scene holds");
+  add_scene_options(*line, options->scene);
+  add_choice(*line, "--format", options->format, "The format of the output",
+             {{"table", Format::table}, {"json", Format::json}});
+  line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
+  line->footer(
+      "Example:\n"
+      "  csgcast info part.csg\n"
+      "  csgcast info part.csg --format json");
+  return {line, [options] { run(*options); }};
+}
+
+}  // namespace csgcast::cli

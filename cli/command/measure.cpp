@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cli/command/commands.h"
+#include "cli/input/distinct_files.h"
+#include "cli/input/scene_input.h"
+#include "cli/output/json.h"
+#include "cli/output/labelled_row.h"
+#include "cli/output/leaf_name.h"
+#include "cli/output/output.h"
+#include "cli/output/printable.h"
+#include "cli/output/stopwatch.h"
+#include "csg/base/number_text.h"
+#include "measure/measure.h"
+
+namespace csgcast::cli {
+namespace {
+
+struct MeasureCommand {
+  SceneOptions scene;
+  std::string relative_error = "1e-4";
+  std::string area_error = "1e-3";
+  Format format = Format::table;
+  std::string output;
+};
+
+/// Of areas: they may be left open.
+double parse_area_error(const std::string& text) {
+  if (text == "inf") return HUGE_VAL;
+  const double share = parse_numbers("--area-error", text, 1)[0];
+  if (!(share > 0 && share < 1))
+    throw UsageError(fmt::format("--area-error {} is neither between 0 and 1 nor inf", text));
+  return share;
+}
+
+constexpr std::array<const char*, 6> inertia_names{"xx", "yy", "zz", "xy", "xz", "yz"};
+
+double parse_share(const std::string& option, const std::string& text) {
+  const double share = parse_numbers(option, text, 1)[0];
+  if (!(share > 0 && share < 1)) throw UsageError(fmt::format("{} {} is not between 0 and 1", option, text));
+  return share;
+}
+
+/// A number with as many digits as it is certain of, and one more.
+std::string certain_digits(double value, double error) {
+  if (std::isinf(error)) return "unknown";
+  if (!std::isfinite(value) || !(error > 0)) return number(value);
+  const int digits = static_cast<int>(std::ceil(std::log10(std::fmax(std::fabs(value) / error, 1)))) + 1;
+  const std::string text = fmt::format("{:.{}g}", value, std::min(digits, 17));
+  return text == "-0" ? "0" : text;
+}
+
+std::string with_error(double value, double error) {
+  if (error == 0) return number(value);
+  return fmt::format("{} ± {:.2g}", certain_digits(value, error), error);
+}
+
+std::string with_error(Measured m) { return with_error(m.value, m.error); }
+
+template <class Triple>
+std::string coordinates(const Triple& t, double error) {
+  return fmt::format("{}, {}, {}", certain_digits(t.x, error), certain_digits(t.y, error), certain_digits(t.z, error));
+}
+
+/// `: halfspace at 3:1`, of the first leaf that is unbounded.
+std::string unbounded_leaf(const Scene& scene) {
+  for (const Node& node : scene.nodes()) {
+    if (node.op != Node::Op::leaf || node.box.is_finite() || node.box.is_null()) continue;
+    return ": " + leaf_name(scene, LeafId(node.first));
+  }
+  return "";
+}
+
+void append_measures(std::string& out, const Scene& scene, const Measures& m) {
+  if (!m.is_bounded)
+    return append_row(out, "volume",
+                      "none: the solid may be unbounded" + unbounded_leaf(scene) + "; measured are parts");
+  append_row(out, "volume", with_error(m.volume));
+  append_row(out, "area", with_error(m.area));
+  append_row(out, "mass", with_error(m.mass));
+  if (m.mass.value > 0) {
+    append_row(out, "centroid",
+               fmt::format("{}  ± {:.2g} each", coordinates(m.centroid, m.centroid_error), m.centroid_error));
+    std::string inertia;
+    for (std::size_t i = 0; i < inertia_names.size(); ++i)
+      inertia += fmt::format("{} {}  ", inertia_names[i], certain_digits(m.inertia[i], m.inertia_error));
+    append_row(out, "inertia", fmt::format("{}± {:.2g} each", inertia, m.inertia_error));
+  }
+  append_row(out, "bounds",
+             m.bounds.is_null() ? "empty"
+                                : fmt::format("{}  to  {}  ± {:.2g}", coordinates(m.bounds.lower, m.bounds_error),
+                                              coordinates(m.bounds.upper, m.bounds_error), m.bounds_error));
+  append_row(out, "cells",
+             fmt::format("{}{}", m.pieces, m.is_as_asked ? "" : ": more would not have brought what was asked for"));
+}
+
+std::string as_text(const Scene& scene, const SceneMeasures& measures) {
+  std::string out;
+  append_measures(out, scene, measures.whole);
+  for (std::size_t i = 0; i < measures.parts.size(); ++i) {
+    const PartName& part = scene.parts()[i].name;
+    out += fmt::format("\npart {}, density {}\n", printable(part.name), number(part.density));
+    append_measures(out, scene, measures.parts[i]);
+  }
+  return out;
+}
+
+void json_measures(Json& json, const Measures& m) {
+  json.member("unbounded", !m.is_bounded);
+  json.member("volume", m.volume.value).member("volume_error", m.volume.error);
+  json.member("area", m.area.value).member("area_error", m.area.error);
+  json.member("mass", m.mass.value).member("mass_error", m.mass.error);
+  json.member("centroid", m.centroid).member("centroid_error", m.centroid_error);
+  json.key("inertia").begin_object(Json::Layout::compact);
+  for (std::size_t i = 0; i < inertia_names.size(); ++i) json.member(inertia_names[i], m.inertia[i]);
+  json.end_object().member("inertia_error", m.inertia_error);
+  json.key("bounds").begin_object(Json::Layout::compact).member("empty", m.bounds.is_null());
+  json.member("lower", m.bounds.lower).member("upper", m.bounds.upper).end_object();
+  json.member("bounds_error", m.bounds_error).member("cells", std::uint64_t(m.pieces));
+  json.member("as_asked", m.is_as_asked);
+}
+
+std::string as_json(const Scene& scene, const SceneMeasures& measures, double seconds) {
+  std::string out;
+  Json json(out);
+  json.begin_object();
+  json_measures(json, measures.whole);
+  json.member("seconds", seconds).key("parts").begin_array();
+  for (std::size_t i = 0; i < measures.parts.size(); ++i) {
+    const PartName& part = scene.parts()[i].name;
+    json.begin_object().member("name", part.name).member("density", part.density);
+    json_measures(json, measures.parts[i]);
+    json.end_object();
+  }
+  json.end_array().end_object();
+  return out + '\n';
+}
+
+void run(const MeasureCommand& command) {
+  MeasureOptions job;
+  job.relative_error = parse_share("--relative-error", command.relative_error);
+  job.relative_area_error = parse_area_error(command.area_error);
+  check_distinct(std::array{NamedFile{"the scene", command.scene.path}}, std::array{NamedFile{"-o", command.output}});
+  Output output(command.output);
+  const SceneInput input = read_scene(command.scene);
+  const Stopwatch watch;
+  SceneMeasures measures;
+  {
+    Progress bar("measuring", command.scene.progress());
+    // From an error of all to that asked for, digit by digit.
+    const double digits = std::log10(job.relative_error);
+    job.goes_on = [&](double error) {
+      bar.update(std::clamp(std::log10(std::fmin(error, 1)) / digits, 0.0, 1.0));
+      return true;
+    };
+    tbb::task_arena arena(thread_count(command.scene));
+    arena.execute([&] { measures = measure(input.scene, job); });
+  }
+  output.write(command.format == Format::json ? as_json(input.scene, measures, watch.seconds())
+                                              : as_text(input.scene, measures));
+  output.commit();
+}
+
+}  // namespace
+
+Command measure_command(CLI::App& program) {
+  auto options = std::make_shared<MeasureCommand>();
+  CLI::App* line =
+      program.add_subcommand("measure", "Measure volume, area, mass, centroid, inertia and bounds, with error bounds");
+  add_scene_options(*line, options->scene);
+  line->add_option("--relative-error", options->relative_error, "Of the volume: error / value")
+      ->type_name("E")
+      ->capture_default_str();
+  line->add_option("--area-error", options->area_error, "Of the surface's area: error / value; inf: any")
+      ->type_name("E")
+      ->capture_default_str();
+  add_choice(*line, "--format", options->format, "The format of the output",
+             {{"table", Format::table}, {"json", Format::json}});
+  line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
+  line->footer(
+      "The true value is within each printed error, rounding included. Mass, centroid and inertia (about the "
+      "centroid,\n"
+      "along the scene's axes) are those of the parts with their densities, and of the rest with density 1.\n\n"
+      "Example:\n"
+      "  csgcast measure part.csg\n"
+      "  csgcast measure part.csg --relative-error 1e-8 --format json -o part.json");
+  return {line, [options] { run(*options); }};
+}
+
+}  // namespace csgcast::cli

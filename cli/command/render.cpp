@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "shade/trace/render.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "cli/command/commands.h"
+#include "cli/input/distinct_files.h"
+#include "cli/input/scene_input.h"
+#include "cli/output/output.h"
+#include "cli/output/render_stats.h"
+#include "cli/output/stopwatch.h"
+#include "shade/picture/image_file.h"
+
+namespace csgcast::cli {
+namespace {
+
+constexpr int largest_side = 65536;
+constexpr int most_samples = 1024;
+
+struct RenderCommandOptions {
+  SceneOptions scene;
+  RenderOptions render;
+  std::string size = "800x600";
+  std::string samples = "1";
+  bool adaptive = false;
+  std::string camera;
+  std::string trace_pixel;
+  std::string output;
+  std::string stats;
+};
+
+/// The options, checked as far as they can be before the scene is read.
+struct Job {
+  RenderOptions render;
+  std::optional<CameraDescription> camera;
+  std::optional<std::pair<int, int>> pixel;
+};
+
+std::uint64_t memory_available() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES);
+  const long page_size = ::sysconf(_SC_PAGESIZE);
+  return pages > 0 && page_size > 0 ? std::uint64_t(pages) * std::uint64_t(page_size) : ~std::uint64_t(0);
+}
+
+/// The film itself, and the bytes that a file of it is made from.
+void check_film_memory(const RenderOptions& options) {
+  const std::uint64_t pixels = std::uint64_t(options.width) * std::uint64_t(options.height);
+  const std::uint64_t needed = 2 * pixels * std::uint64_t(channels(content(options.mode))) * sizeof(float);
+  if (needed > memory_available()) {
+    throw UsageError(fmt::format("--size {}x{} needs {} GB of memory (this machine has {}); make the picture smaller",
+                                 options.width, options.height, needed >> 30, memory_available() >> 30));
+  }
+}
+
+void check_files(const RenderCommandOptions& options) {
+  std::vector<NamedFile> outputs;
+  if (!options.output.empty()) outputs.push_back({"-o", options.output});
+  if (!options.stats.empty()) outputs.push_back({"--stats", options.stats});
+  if (!options.trace_pixel.empty()) outputs.push_back({"--trace-pixel", ""});
+  check_distinct(std::array{NamedFile{"the scene", options.scene.path}}, outputs);
+}
+
+Sampling adaptive_sampling(const RenderOptions& options) {
+  if (options.mode != Mode::shaded) {
+    throw UsageError("--adaptive needs --mode shaded (pixels are compared by their light)");
+  }
+  if (options.samples == 1) {
+    throw UsageError("--adaptive needs --samples of more than 1 (it takes fewer where pixels look alike)");
+  }
+  return Sampling::adaptive;
+}
+
+Job check(const RenderCommandOptions& options) {
+  Job job{options.render, {}, {}};
+  job.render.threads = thread_count(options.scene);
+  std::tie(job.render.width, job.render.height) = parse_pair("--size", options.size, 'x', 1, largest_side);
+  job.render.samples = parse_count("--samples", options.samples, 1, most_samples);
+  if (options.adaptive) job.render.sampling = adaptive_sampling(job.render);
+  check_film_memory(job.render);
+  if (!options.camera.empty()) job.camera = camera_from_numbers(parse_numbers("--camera", options.camera));
+  if (!options.trace_pixel.empty()) {
+    if (job.render.mode != Mode::shaded) {
+      throw UsageError("--trace-pixel needs --mode shaded (it prints the rays that bring a pixel's light)");
+    }
+    const auto [x, y] = parse_pair("--trace-pixel", options.trace_pixel, ',', 0, largest_side - 1);
+    if (x >= job.render.width || y >= job.render.height) {
+      throw UsageError(fmt::format("--trace-pixel {},{} is outside the picture of {}x{}", x, y, job.render.width,
+                                   job.render.height));
+    }
+    job.pixel = {x, y};
+  }
+  check_files(options);
+  if (options.output.empty()) {
+    if (!job.pixel) throw UsageError("-o is needed (where shall the picture go?)");
+    if (!options.stats.empty()) throw UsageError("--stats needs -o (there is no picture to count rays of)");
+    return job;
+  }
+  check_image_path(options.output);
+  check_writable(options.output);
+  if (!options.stats.empty()) check_writable(options.stats);
+  return job;
+}
+
+/// What goes wrong now is the machine's fault: the path was found writable before.
+void write_picture(const Film& film, const std::string& path) {
+  try {
+    write_image(film, path);
+  } catch (const Error& error) {
+    throw MachineError(error.what());
+  }
+}
+
+void render_picture(const RenderCommandOptions& options, Job& job, const SceneInput& input, const View& view) {
+  RenderReport report;
+  std::optional<Progress> progress(std::in_place, "render", options.scene.progress());
+  job.render.progress = [&](double done) { progress->update(done); };
+  const Film film = render(input.scene, view, job.render, &report);
+  progress.reset();
+  const Stopwatch write_watch;
+  write_picture(film, options.output);
+  if (options.stats.empty()) return;
+  Output stats(options.stats);
+  stats.write(render_stats(
+      job.render, report,
+      {input.read_seconds, input.compile_seconds, report.cells_seconds, report.seconds, write_watch.seconds()}));
+  stats.commit();
+}
+
+void run(const RenderCommandOptions& options) {
+  Job job = check(options);
+  SceneInput input = read_scene(options.scene);
+  if (job.camera) input.description.camera = job.camera;
+  const View view = make_view(input.description, input.scene, double(job.render.width) / job.render.height);
+  if (job.pixel) {
+    Output output("");
+    output.write(trace_pixel(input.scene, view, job.render, job.pixel->first, job.pixel->second));
+    output.commit();
+  }
+  if (!options.output.empty()) render_picture(options, job, input, view);
+}
+
+}  // namespace
+
+Command render_command(CLI::App& program) {
+  auto options = std::make_shared<RenderCommandOptions>();
+  CLI::App* line = program.add_subcommand("render", "Make a picture");
+  add_scene_options(*line, options->scene);
+  line->add_option("-o,--output", options->output, "The picture to write: .png, .jpg, .tif (8 bits) or .exr (floats)")
+      ->type_name("FILE");
+  line->add_option("--size", options->size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
+  line->add_option("--samples", options->samples, "Rays a pixel, rounded up to a square number")
+      ->type_name("N")
+      ->capture_default_str();
+  line->add_flag("--adaptive", options->adaptive, "Take all samples only in pixels that do not look like those around");
+  line->add_option("--camera", options->camera,
+                   "Eye and the point looked at; or seven numbers: OpenSCAD's translation, rotation and distance")
+      ->type_name("ex,ey,ez,ax,ay,az");
+  add_choice(*line, "--mode", options->render.mode, "What the picture shows",
+             {{"shaded", Mode::shaded},
+              {"edges", Mode::edges},
+              {"xray", Mode::xray},
+              {"depth", Mode::depth},
+              {"normal", Mode::normal},
+              {"id", Mode::id}});
+  line->add_option("--stats", options->stats, "Count rays and tests, and time each stage, into this file")
+      ->type_name("FILE.json");
+  line->add_option("--trace-pixel", options->trace_pixel,
+                   "Print the rays of one pixel, counted from the top left; -o may then be left out")
+      ->type_name("x,y");
+  line->footer(
+      "Example:\n"
+      "  csgcast render part.csg -o part.png\n"
+      "  csgcast render part.csg -o part.exr --size 1920x1080 --samples 9 --camera 80,-120,60,0,0,0 --stats part.json");
+  return {line, [options] { run(*options); }};
+}
+
+}  // namespace csgcast::cli

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include <tbb/task_arena.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "cli/command/commands.h"
+#include "cli/input/distinct_files.h"
+#include "cli/input/scene_input.h"
+#include "cli/output/json.h"
+#include "cli/output/output.h"
+#include "cli/output/section_image.h"
+#include "measure/section.h"
+#include "measure/section_svg.h"
+#include "shade/picture/image_file.h"
+
+namespace csgcast::cli {
+namespace {
+
+struct SectionCommand {
+  SceneOptions scene;
+  std::string plane;
+  std::string relative_error = "1e-6";
+  std::string size = "1024";
+  std::string output;
+};
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void json_point(Json& json, const char* name, PlanePoint p) {
+  json.key(name).begin_array(Json::Layout::compact).value(p.u).value(p.v).end_array();
+}
+
+std::string as_json(const Section& section) {
+  std::string out;
+  Json json(out);
+  json.begin_object().member("unbounded", !section.is_bounded).member("origin", section.origin);
+  json.member("u", section.u).member("v", section.v);
+  json.member("area", section.area.value).member("area_error", section.area.error);
+  json.member("perimeter", section.perimeter.value).member("perimeter_error", section.perimeter.error);
+  json.member("place_error", section.place_error).member("closed", section.is_closed);
+  json.key("loops").begin_array();
+  for (const SectionLoop& loop : section.loops) {
+    json.begin_array();
+    for (const SectionArc& arc : loop) {
+      json.begin_object(Json::Layout::compact).member("kind", arc.is_straight() ? "line" : "conic");
+      json_point(json, "from", arc.from);
+      json_point(json, "middle", arc.middle);
+      json_point(json, "to", arc.to);
+      json.key("conic").begin_array(Json::Layout::compact);
+      for (const double coefficient : arc.conic) json.value(coefficient);
+      json.end_array().member("surface", std::uint64_t(arc.surface.index())).end_object();
+    }
+    json.end_array();
+  }
+  json.end_array().end_object();
+  return out + '\n';
+}
+
+/// What pictures may be off from the section: less than anybody sees.
+double picture_tolerance(const Section& section) { return 1e-6 * std::sqrt(section.area.value) + section.place_error; }
+
+void run(const SectionCommand& command) {
+  const std::vector<double> numbers = parse_numbers("--plane", command.plane, 4);
+  const Plane plane{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+  if (plane.normal == Vector{}) throw UsageError("--plane has a zero normal: give nx,ny,nz,d such as 0,0,1,2.5");
+  SectionOptions job;
+  job.relative_error = parse_numbers("--relative-error", command.relative_error, 1)[0];
+  if (!(job.relative_error > 0 && job.relative_error < 1))
+    throw UsageError(fmt::format("--relative-error {} is not between 0 and 1", command.relative_error));
+  const int pixels = parse_count("--size", command.size, 1, 16384);
+  const bool is_drawing = ends_with(command.output, ".svg");
+  const bool is_image = ends_with(command.output, ".png");
+  if (!is_drawing && !is_image && !command.output.empty() && !ends_with(command.output, ".json"))
+    throw UsageError(fmt::format("-o {} has an unknown ending (known are .svg, .png, .json)", command.output));
+  check_distinct(std::array{NamedFile{"the scene", command.scene.path}}, std::array{NamedFile{"-o", command.output}});
+  std::optional<Output> output;
+  if (is_image) {
+    check_writable(command.output);
+  } else {
+    output.emplace(command.output);
+  }
+  const SceneInput input = read_scene(command.scene);
+  tbb::task_arena arena(thread_count(command.scene));
+  const Section cut = arena.execute([&] { return section(input.scene, plane, job); });
+  if ((is_drawing || is_image) && !cut.is_bounded)
+    throw UsageError(
+        "the solid may be unbounded: there is no picture of its section; intersect it with a box, or take parts of it "
+        "alone (--part)");
+  if (is_image)
+    return write_image(arena.execute([&] { return section_image(input.scene, plane, cut, pixels); }), command.output);
+  output->write(is_drawing ? section_svg(cut, picture_tolerance(cut)) : as_json(cut));
+  output->commit();
+}
+
+}  // namespace
+
+Command section_command(CLI::App& program) {
+  auto options = std::make_shared<SectionCommand>();
+  CLI::App* line = program.add_subcommand("section", "Cut the solid with a plane: exact curves, area and perimeter");
+  add_scene_options(*line, options->scene);
+  line->add_option("--plane", options->plane, "The plane n . p = d")->type_name("nx,ny,nz,d")->required();
+  line->add_option("--relative-error", options->relative_error, "Of area and perimeter: error / value")
+      ->type_name("E")
+      ->capture_default_str();
+  line->add_option("-o,--output", options->output,
+                   "The file to write, .svg, .png or .json (default: JSON to standard output)")
+      ->type_name("FILE");
+  line->add_option("--size", options->size, "Pixels of a .png's longer side")->type_name("N")->capture_default_str();
+  line->footer(
+      "Curves are runs of lines and conics, loops of them around what is inside. Where a face lies in the plane it is "
+      "the\n"
+      "section just beyond, on the side that the normal points to.\n\n"
+      "Example:\n"
+      "  csgcast section part.csg --plane 0,0,1,2.5 -o cut.svg\n"
+      "  csgcast section part.csg --plane 1,0,0,0 -o cut.json");
+  return {line, [options] { run(*options); }};
+}
+
+}  // namespace csgcast::cli

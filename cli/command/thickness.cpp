@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "cli/command/commands.h"
+#include "cli/input/distinct_files.h"
+#include "cli/input/scene_input.h"
+#include "cli/output/json.h"
+#include "cli/output/leaf_name.h"
+#include "cli/output/output.h"
+#include "csg/base/number_text.h"
+#include "measure/thickness.h"
+#include "shade/film/camera.h"
+#include "shade/film/view.h"
+#include "shade/picture/image_file.h"
+
+namespace csgcast::cli {
+namespace {
+
+constexpr int largest_side = 16384;
+
+struct ThicknessCommand {
+  SceneOptions scene;
+  std::string size = "800x600";
+  std::string samples = "512";
+  std::string camera;
+  Format format = Format::table;
+  std::string output;
+};
+
+/// How thick the solid is where each pixel's ray meets it.
+Film thickness_map(const Cells& cells, const View& view, int width, int height) {
+  const Camera camera(view.camera, width, height);
+  Film film(width, height, FilmContent::length);
+  tbb::parallel_for(0, height, [&](int y) {
+    const auto count = static_cast<std::size_t>(width);
+    std::array<std::vector<double>, 6> numbers;
+    for (auto& column : numbers) column.resize(count);
+    RayArrays rays;
+    rays.count = count;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      rays.origin[axis] = numbers[axis].data();
+      rays.direction[axis] = numbers[3 + axis].data();
+    }
+    for (int x = 0; x < width; ++x) {
+      const Ray ray = camera.ray(x + 0.5, y + 0.5);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        numbers[axis][static_cast<std::size_t>(x)] = ray.origin()[axis];
+        numbers[3 + axis][static_cast<std::size_t>(x)] = ray.direction()[axis];
+      }
+    }
+    std::vector<double> thickness(count);
+    ThicknessProbe probe(cells);
+    probe.first_faces(rays, thickness.data());
+    for (int x = 0; x < width; ++x) film.value(x, y) = static_cast<float>(thickness[static_cast<std::size_t>(x)]);
+  });
+  return film;
+}
+
+std::string as_text(const Scene& scene, const std::optional<ThinPlace>& thinnest) {
+  if (!thinnest) return "thinnest    none: the solid is empty, or may be unbounded (--part NAME takes a part alone)\n";
+  const auto& [thickness, p, n, leaf] = *thinnest;
+  return fmt::format("thinnest    {}  at {},{},{}  normal {},{},{}  face of {}\n", number(thickness), number(p.x),
+                     number(p.y), number(p.z), number(n.x), number(n.y), number(n.z), leaf_name(scene, leaf));
+}
+
+std::string as_json(const Scene& scene, const std::optional<ThinPlace>& thinnest) {
+  std::string out;
+  Json json(out);
+  json.begin_object().key("thinnest");
+  if (!thinnest) {
+    json.null();
+  } else {
+    json.begin_object(Json::Layout::compact).member("thickness", thinnest->thickness).member("place", thinnest->place);
+    json.member("normal", thinnest->normal).member("leaf", leaf_name(scene, thinnest->leaf)).end_object();
+  }
+  json.end_object();
+  return out + '\n';
+}
+
+void run(const ThicknessCommand& command) {
+  const auto [width, height] = parse_pair("--size", command.size, 'x', 1, largest_side);
+  const int samples = parse_count("--samples", command.samples, 1, largest_side);
+  std::optional<CameraDescription> camera;
+  if (!command.camera.empty()) camera = camera_from_numbers(parse_numbers("--camera", command.camera));
+  if (!command.output.empty()) {
+    check_image_path(command.output);
+    check_distinct(std::array{NamedFile{"the scene", command.scene.path}}, std::array{NamedFile{"-o", command.output}});
+    check_writable(command.output);
+  }
+  SceneInput input = read_scene(command.scene);
+  if (camera) input.description.camera = camera;
+  tbb::task_arena arena(thread_count(command.scene));
+  const Cells cells = arena.execute([&] { return Cells(input.scene); });
+  if (!command.output.empty()) {
+    const View view = make_view(input.description, input.scene, static_cast<double>(width) / height);
+    const Film film = arena.execute([&, w = width, h = height] { return thickness_map(cells, view, w, h); });
+    write_image(film, command.output);
+  }
+  const auto thinnest = arena.execute([&] { return find_thinnest(cells, static_cast<std::size_t>(samples)); });
+  Output output("");
+  output.write(command.format == Format::json ? as_json(input.scene, thinnest) : as_text(input.scene, thinnest));
+  output.commit();
+}
+
+}  // namespace
+
+Command thickness_command(CLI::App& program) {
+  auto options = std::make_shared<ThicknessCommand>();
+  CLI::App* line = program.add_subcommand("thickness", "Tell how thick the solid is: a map, and the thinnest place");
+  add_scene_options(*line, options->scene);
+  line->add_option("-o,--output", options->output, "The map: .png, .jpg, .tif, or .exr with the lengths")
+      ->type_name("FILE");
+  line->add_option("--size", options->size, "Of the map")->type_name("WxH")->capture_default_str();
+  line->add_option("--camera", options->camera, "As of render")->type_name("ex,ey,ez,ax,ay,az");
+  line->add_option("--samples", options->samples, "N x N rays along each axis look for the thinnest place")
+      ->type_name("N")
+      ->capture_default_str();
+  add_choice(*line, "--format", options->format, "The format of the text",
+             {{"table", Format::table}, {"json", Format::json}});
+  line->footer(
+      "Thickness is the way from a place on the boundary straight in, against the normal, to the boundary again. The\n"
+      "thinnest place is that of the samples where the far face is at most 60 degrees from square: corners are no "
+      "walls.\n\n"
+      "Example:\n"
+      "  csgcast thickness part.csg\n"
+      "  csgcast thickness part.csg -o thickness.exr --size 1920x1080");
+  return {line, [options] { run(*options); }};
+}
+
+}  // namespace csgcast::cli

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "cli/input/number_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+#include "cli/output/printable.h"
+#include "csg/base/number_text.h"
+
+namespace csgcast::cli {
+namespace {
+
+constexpr std::size_t chunk_size = 1 << 16;
+constexpr std::size_t longest_line = 4096;
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+[[noreturn]] void cannot_read(const std::string& file, const std::string& why) {
+  throw Error(ErrorCode::input_output, {file, 0, 0}, "cannot read this file", why, "give the path of a CSV file");
+}
+
+bool same_word(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// Calls use(field, column) for each field of a line: its text without blanks around it, and where that starts, from 1.
+template <class Use>
+void for_each_field(std::string_view line, Use&& use) {
+  std::size_t start = 0;
+  while (true) {
+    const std::size_t comma = std::min(line.find(',', start), line.size());
+    const std::string_view raw = line.substr(start, comma - start);
+    const std::string_view field = trimmed(raw);
+    const std::size_t lead = field.empty() ? 0 : static_cast<std::size_t>(field.data() - raw.data());
+    use(field, static_cast<int>(start + lead + 1));
+    if (comma == line.size()) return;
+    start = comma + 1;
+  }
+}
+
+}  // namespace
+
+void NumberRows::Close::operator()(std::FILE* file) const {
+  if (file != stdin) static_cast<void>(std::fclose(file));
+}
+
+NumberRows::NumberRows(const std::string& path, std::vector<std::string> names)
+    : file_(path == "-" ? "<standard input>" : path), names_(std::move(names)) {
+  std::error_code error;
+  if (path == "-") {
+    stream_.reset(stdin);
+    return;
+  }
+  if (std::filesystem::is_directory(path, error)) cannot_read(file_, "it is a directory");
+  stream_.reset(std::fopen(path.c_str(), "rb"));
+  if (!stream_) cannot_read(file_, std::strerror(errno));
+  if (std::filesystem::is_regular_file(path, error)) size_ = std::filesystem::file_size(path, error);
+}
+
+double NumberRows::share_read() const {
+  return size_ == 0 ? 0 : std::min(1.0, static_cast<double>(read_) / static_cast<double>(size_));
+}
+
+bool NumberRows::next(NumberRow& row) {
+  std::string_view line;
+  while (next_line(line)) {
+    if (trimmed(line).empty()) continue;
+    if (line_ == 1 && is_header(line)) {
+      check_header(line);
+      continue;
+    }
+    parse(line, row);
+    row.index = row_count_++;
+    return true;
+  }
+  return false;
+}
+
+/// The next line without its end; false at the end of the file. It is valid until the next call.
+bool NumberRows::next_line(std::string_view& line) {
+  std::size_t end = buffer_.find('\n', position_);
+  while (end == std::string::npos && buffer_.size() - position_ <= longest_line && fill()) {
+    end = buffer_.find('\n', position_);
+  }
+  const bool ended = end != std::string::npos;
+  if (!ended) end = buffer_.size();
+  if (!ended && end == position_) return false;
+  ++line_;
+  line = std::string_view(buffer_).substr(position_, end - position_);
+  position_ = ended ? end + 1 : end;
+  if (line.size() > longest_line) {
+    fail(ErrorCode::limit, 1, fmt::format("this line is longer than {} bytes", longest_line),
+         fmt::format("it holds {} numbers at most", names_.size()));
+  }
+  if (line_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return true;
+}
+
+/// Reads on; false at the end of the file.
+bool NumberRows::fill() {
+  buffer_.erase(0, position_);
+  position_ = 0;
+  const std::size_t kept = buffer_.size();
+  buffer_.resize(kept + chunk_size);
+  const std::size_t got = std::fread(buffer_.data() + kept, 1, chunk_size, stream_.get());
+  buffer_.resize(kept + got);
+  if (got == 0 && std::ferror(stream_.get())) cannot_read(file_, std::strerror(errno));
+  read_ += got;
+  return got > 0;
+}
+
+/// A first line is a header if its first field starts like a word; a number that is not finite is no word.
+bool NumberRows::is_header(std::string_view line) const {
+  const std::string_view field = trimmed(line.substr(0, line.find(',')));
+  return !field.empty() && std::isalpha(static_cast<unsigned char>(field[0])) &&
+         parse_number(field).fault == NumberFault::no_number;
+}
+
+void NumberRows::check_header(std::string_view line) const {
+  std::size_t count = 0;
+  for_each_field(line, [&](std::string_view field, int column) {
+    if (count >= names_.size() || !same_word(field, names_[count])) {
+      fail(ErrorCode::bad_value, column, fmt::format("the header names a column {}", in_quotes(field)),
+           count < names_.size() ? fmt::format("'{}' stands here", names_[count])
+                                 : fmt::format("there are {} columns", names_.size()));
+    }
+    ++count;
+  });
+  if (count < names_.size()) {
+    fail(ErrorCode::bad_value, static_cast<int>(line.size() + 1), "the header ends too early",
+         fmt::format("the column '{}' is missing", names_[count]));
+  }
+}
+
+void NumberRows::parse(std::string_view line, NumberRow& row) const {
+  std::size_t count = 0;
+  for_each_field(line, [&](std::string_view field, int column) {
+    if (count == names_.size()) {
+      fail(ErrorCode::bad_value, column, "this line has too many numbers",
+           fmt::format("there are {} columns", names_.size()));
+    }
+    row.values[count] = parse_field(field, column);
+    row.columns[count++] = column;
+  });
+  if (count < names_.size()) {
+    fail(ErrorCode::bad_value, static_cast<int>(line.size() + 1), "this line has too few numbers",
+         fmt::format("'{}' is missing", names_[count]));
+  }
+  row.line = line_;
+}
+
+double NumberRows::parse_field(std::string_view field, int column) const {
+  if (field.empty()) fail(ErrorCode::syntax, column, "a number is missing", "this field is empty");
+  const ParsedNumber parsed = parse_number(field);
+  switch (parsed.fault) {
+    case NumberFault::no_number:
+      fail(ErrorCode::syntax, column, fmt::format("{} is no number", in_quotes(field)), "only numbers stand here");
+    case NumberFault::out_of_range:
+      fail(ErrorCode::bad_value, column, fmt::format("{} is too large", in_quotes(field)),
+           "it is beyond the range of double");
+    case NumberFault::none:
+      break;
+  }
+  if (!std::isfinite(parsed.value)) {
+    fail(ErrorCode::bad_value, column, fmt::format("{} is not finite", in_quotes(field)), "it is no place in space");
+  }
+  return parsed.value;
+}
+
+void NumberRows::fail(ErrorCode code, int column, const std::string& problem, const std::string& why) const {
+  throw Error(code, {file_, line_, column}, problem, why, remedy());
+}
+
+std::string NumberRows::remedy() const { return fmt::format("write {} on each line", fmt::join(names_, ",")); }
+
+}  // namespace csgcast::cli

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "cli/input/scene_input.h"
+
+#include <fmt/format.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "cli/input/huge_pages.h"
+#include "cli/input/options.h"
+#include "cli/output/printable.h"
+#include "cli/output/stopwatch.h"
+#include "csg/solid/parts.h"
+#include "csg/text/syntax/reader.h"
+
+namespace csgcast::cli {
+namespace {
+
+constexpr int most_threads = 1024;
+
+Welding parse_welding(const std::string& text) {
+  const double relative = parse_numbers("--weld", text, 1).front();
+  if (relative == 0) return {};
+  if (!(relative > 0 && relative <= Welding::greatest_tolerance)) {
+    throw UsageError(
+        fmt::format("--weld {}: a tolerance is a share of the size of the scene, above 0 and at most "
+                    "{}, or 0 to weld nothing",
+                    text, Welding::greatest_tolerance));
+  }
+  return Welding::by_hand(relative);
+}
+
+/// The parts asked for alone. Throws Error naming the parts that there are if one is not among them.
+Solid selected(Solid solid, const SceneOptions& options, const FileName& file) {
+  if (options.parts.empty()) return solid;
+  const std::vector<std::string> known = part_names(solid);
+  if (const std::string* name = unknown_part(known, options.parts)) {
+    constexpr std::size_t most_listed = 20;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(known.size(), most_listed); ++i) {
+      list += (i > 0 ? ", " : "") + printable(known[i]);
+    }
+    if (known.size() > most_listed) list += fmt::format(" and {} more", known.size() - most_listed);
+    throw Error(ErrorCode::usage, {file, 0, 0}, fmt::format("no part is named '{}'", printable(*name)),
+                "--part takes the name of a part(\"name\") statement",
+                known.empty() ? "name one, or leave --part out" : "the parts are " + list);
+  }
+  return only_parts(solid, options.parts);
+}
+
+// A file, or who knows what, of which a scene of thousands of solids may come.
+bool may_be_large(const std::string& path) {
+  constexpr std::uintmax_t small = 1 << 17;
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  return none || size > small;
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& line, SceneOptions& options) {
+  using text::Facets;
+  line.add_option("scene", options.path, "The scene text (.csg); - reads standard input")
+      ->required()
+      ->type_name("")
+      ->option_text("SCENE");
+  add_choice(line, "--facets", options.facets, "Which curved solids become polyhedra: those with $fn <= 16, all, none",
+             {{"auto", Facets::automatic}, {"always", Facets::always}, {"never", Facets::never}});
+  line.add_option_function<std::string>(
+          "--weld", [&options](const std::string& text) { options.welding = parse_welding(text); },
+          "Faces at most this share of the scene's size apart are one (default: what rounding explains; 0: none)")
+      ->type_name("RELATIVE");
+  line.add_option("--part", options.parts, "Only the part of this name, as if it were all the scene holds; repeatable")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  line.add_option_function<std::string>(
+          "--threads",
+          [&options](const std::string& text) { options.threads = parse_count("--threads", text, 1, most_threads); },
+          "How many threads work (default: one a core)")
+      ->type_name("N");
+  line.add_flag("-q,--quiet", options.quiet, "No progress bar and no warnings");
+}
+
+int thread_count(const SceneOptions& options) {
+  return options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+}
+
+DocumentInput read_document(const SceneOptions& options) {
+  const Stopwatch watch;
+  if (may_be_large(options.path)) use_huge_pages();
+  DocumentInput input{text::read_file(options.path)};
+  input.read_seconds = watch.seconds();
+  return input;
+}
+
+SceneInput compile_document(DocumentInput input, const SceneOptions& options) {
+  const Stopwatch build_watch;
+  SceneInput result;
+  const FileName file = input.document.file;
+  result.description = text::build(std::move(input.document), {options.facets});
+  result.description.solid = selected(std::move(result.description.solid), options, file);
+  result.read_seconds = input.read_seconds + build_watch.seconds();
+  if (!options.quiet) {
+    for (const Warning& warning : result.description.warnings) fmt::print(stderr, "{}\n", to_string(warning));
+  }
+  const Stopwatch compile_watch;
+  result.scene = compile(std::exchange(result.description.solid, {}), options.welding);
+  result.compile_seconds = compile_watch.seconds();
+  const auto warn = [&](const char* text) {
+    Warning warning;
+    warning.place.file = file;
+    warning.text = text;
+    result.description.warnings.push_back(warning);
+    if (!options.quiet) fmt::print(stderr, "{}\n", to_string(warning));
+  };
+  if (result.scene.weld_report().incomplete)
+    warn("welding was cut short (very many surfaces nearly coincide); some that rounding keeps apart are still two");
+  if (result.scene.bounds().is_null()) warn("the scene is empty (no solid is left in it); rays meet nothing");
+  return result;
+}
+
+SceneInput read_scene(const SceneOptions& options) { return compile_document(read_document(options), options); }
+
+}  // namespace csgcast::cli

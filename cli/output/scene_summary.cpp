@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "cli/output/scene_summary.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace csgcast::cli {
+
+StatementSummary summarise_statements(const text::Document& document) {
+  StatementSummary summary;
+  std::vector<std::pair<const text::Node*, std::uint64_t>> pending;
+  for (const text::Node& node : document.nodes) pending.emplace_back(&node, 1);
+  while (!pending.empty()) {
+    const auto [node, depth] = pending.back();
+    pending.pop_back();
+    ++summary.by_name[node->name];
+    ++summary.total;
+    summary.depth = std::max(summary.depth, depth);
+    for (const text::Node& child : node->children) pending.emplace_back(&child, depth + 1);
+  }
+  return summary;
+}
+
+SurfaceSummary summarise_surfaces(const Scene& scene) {
+  SurfaceSummary summary;
+  for (const Surface& surface : scene.surfaces()) {
+    ++(surface.kind == SurfaceKind::plane ? summary.planes : summary.quadrics);
+  }
+  std::vector<LeafId> first_user(scene.surfaces().size());
+  std::vector<bool> shared(scene.surfaces().size());
+  for (std::uint32_t i = 0; i < scene.leaves().size(); ++i) {
+    for (const HalfSpace& half_space : scene.half_spaces(scene.leaves()[i])) {
+      LeafId& user = first_user[half_space.surface.index()];
+      if (!user.valid()) user = LeafId(i);
+      if (user != LeafId(i)) shared[half_space.surface.index()] = true;
+    }
+  }
+  summary.shared = static_cast<std::uint64_t>(std::count(shared.begin(), shared.end(), true));
+  return summary;
+}
+
+LeafSummary summarise_leaves(const Scene& scene) {
+  LeafSummary summary;
+  summary.by_part.resize(scene.parts().size());
+  for (const Leaf& leaf : scene.leaves()) {
+    ++summary.by_kind[word(leaf.kind)];
+    if (leaf.part.valid()) ++summary.by_part[leaf.part.index()];
+  }
+  return summary;
+}
+
+}  // namespace csgcast::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "cli/output/json.h"
+#include "raycast/scene/welding.h"
+
+namespace csgcast::cli {
+
+/// What was welded, and what nearly was: lines `welded` and `near misses`.
+void append_welding(std::string& out, const WeldReport& report);
+/// The same as a member `welded`.
+void json_welding(Json& json, const WeldReport& report);
+
+}  // namespace csgcast::cli

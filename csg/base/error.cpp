@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "csg/base/error.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace csgcast {
+namespace {
+
+std::string prefix(const Place& place) {
+  const std::string at = to_string(place);
+  return at.empty() ? "csgcast" : at;
+}
+
+std::string message(const Place& place, const std::string& problem, const std::string& why, const std::string& remedy) {
+  std::string text = fmt::format("{}: error: {}", prefix(place), problem);
+  if (!why.empty()) text += fmt::format(" ({})", why);
+  if (!remedy.empty()) text += fmt::format("; {}", remedy);
+  return text;
+}
+
+}  // namespace
+
+FileName::FileName(std::string name)
+    : name_(name.empty() ? nullptr : std::make_shared<const std::string>(std::move(name))) {}
+
+const std::string& FileName::string() const {
+  static const std::string none;
+  return name_ ? *name_ : none;
+}
+
+std::string to_string(const Place& place) {
+  if (place.line == 0) return place.file.string();
+  return fmt::format("{}:{}:{}", place.file.empty() ? "<scene>" : place.file.string(), place.line, place.column);
+}
+
+Error::Error(ErrorCode code, Place place, const std::string& problem, const std::string& why, const std::string& remedy)
+    : std::runtime_error(message(place, problem, why, remedy)), code_(code), place_(std::move(place)) {}
+
+std::string to_string(const Warning& warning) {
+  return fmt::format("{}: warning: {}", prefix(warning.place), warning.text);
+}
+
+}  // namespace csgcast

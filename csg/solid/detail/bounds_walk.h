@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "csg/exact/affine.h"
+#include "csg/solid/bounds.h"
+#include "csg/solid/solid.h"
+
+namespace csgcast::detail {
+
+/// One walk over a tree, bottom up with a stack of its own, that finds the box of every node in world coordinates. A
+/// node that is met again under the same composed transform is not walked again. Where exact composition would cost too
+/// much (thousands of nested transforms), the box of what is below is moved instead of the leaves: looser, but the cost
+/// of a level stays the same.
+class BoundsWalk {
+ public:
+  BoundsWalk();
+  Box bounds_of(const Solid& root);
+
+ private:
+  struct Composed {
+    ExactAffine world_from_solid;
+    std::uint64_t name = 0;  // never used again, unlike its place in the stack
+  };
+  struct Frame {
+    const Solid* solid = nullptr;
+    std::size_t next_child = 0;
+    std::size_t outer = 0;  // the composed transform around this node, in composed_
+    bool moves_box = false;
+    Box box;
+  };
+  using Key = std::pair<const void*, std::uint64_t>;
+  struct KeyHash {
+    std::size_t operator()(const Key& key) const {
+      return std::hash<const void*>()(key.first) ^ static_cast<std::size_t>(key.second * 0x9e3779b97f4a7c15u);
+    }
+  };
+
+  std::optional<Box> known_box(const Solid& solid) const;
+  void enter(const Solid& solid);
+  void enter_transform(Frame& frame);
+  bool may_compose(const Solid& transform);
+  Box leave();
+
+  std::vector<Composed> composed_;  // the first is the identity
+  std::size_t present_ = 0;         // the one that leaves are now under
+  std::uint64_t last_name_ = 0;
+  std::vector<Frame> frames_;
+  std::unordered_set<const void*> entered_;  // transforms met so far
+  std::size_t repetitions_ = 0;              // met again, under another transform
+  std::unordered_map<Key, Box, KeyHash> boxes_;
+};
+
+}  // namespace csgcast::detail

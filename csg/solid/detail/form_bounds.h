@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "csg/exact/quadric_form.h"
+#include "csg/solid/bounds.h"
+
+namespace csgcast::detail {
+
+/// A box that holds the closed set f <= 0, rounded outward, null if the set is known to be empty.
+///
+/// An axis gets the exact extent wherever f is positive definite in the other variables that occur in it: ellipsoids,
+/// elliptic cylinders and paraboloids along an axis, axis-aligned half-spaces. Infinite sides elsewhere.
+Box bounds(const QuadricForm& f);
+
+}  // namespace csgcast::detail

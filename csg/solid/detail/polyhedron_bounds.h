@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "csg/base/box.h"
+#include "csg/exact/quadric_form.h"
+
+namespace csgcast::detail {
+
+/// A box that holds the polyhedron where every plane form is <= 0, rounded outward; null exactly if it holds no point.
+///
+/// Exact extents by linear programming, infinite where it is unbounded. Where that would cost too much (thousands of
+/// planes, or numbers of thousands of digits) the box comes from the axis-aligned planes alone, and an empty polyhedron
+/// may go unnoticed.
+Box polyhedron_bounds(std::span<const QuadricForm> planes);
+
+}  // namespace csgcast::detail

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "csg/text/statement/builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "csg/text/statement/detail/statements.h"
+#include "csg/text/syntax/openscad_language.h"
+#include "csg/text/syntax/shortened.h"
+#include "csg/text/syntax/suggestion.h"
+
+namespace csgcast::text {
+namespace {
+
+bool is_skipped(const Node& node) { return (node.modifiers & (background | disabled)) != 0; }
+
+bool is_scene_statement(const Node& node) {
+  const Statement* statement = find_statement(node.name);
+  return statement != nullptr && std::holds_alternative<SceneStatement>(statement->meaning);
+}
+
+/// The first statement with `!` in file order; null if there is none. As in OpenSCAD it may stand below `%`, but not
+/// below `*`.
+Node* find_root(std::vector<Node>& nodes) {
+  std::vector<std::span<Node>> open{nodes};
+  while (!open.empty()) {
+    if (open.back().empty()) {
+      open.pop_back();
+      continue;
+    }
+    Node& node = open.back().front();
+    open.back() = open.back().subspan(1);
+    if ((node.modifiers & disabled) != 0 || is_scene_statement(node)) continue;
+    if ((node.modifiers & root_only) != 0) return &node;
+    open.push_back(node.children);
+  }
+  return nullptr;
+}
+
+/// What may stand below a statement.
+struct Below {
+  bool top = true;                      ///< nothing is above: camera, light, background and settings may stand here
+  const Node* forbids_parts = nullptr;  ///< the innermost statement above that a part must not stand in
+};
+
+/// Walks the statements in file order with a stack of its own; arguments are read when a statement is entered, solids
+/// combined when it is left.
+class Builder {
+ public:
+  Builder(Document document, const BuildOptions& options) : document_(std::move(document)), options_(options) {}
+
+  SceneDescription build();
+
+ private:
+  struct Frame {
+    std::span<Node> children;  ///< still to come
+    Node* node = nullptr;      ///< null for the whole document
+    Combine combine = unite;
+    Below below;
+    std::vector<Solid> solids;
+  };
+
+  Solid build_solid(std::span<Node> nodes);
+  void enter(Node& node);
+  void leave();
+  void apply(const Node& node, const Statement& statement, const SceneStatement& meaning);
+  Solid make_solid(const Node& node, const Statement& statement, const SolidStatement& meaning);
+  void open(Node& node, const Statement& statement, const OperatorStatement& meaning);
+
+  const Statement& statement_of(const Node& node) const;
+  Call call(const Node& node, const Statement& statement) {
+    return {node, document_.file, statement.parameters, options_, scene_.warnings};
+  }
+  Place place(const Node& node) const { return {document_.file, node.line, node.column}; }
+  void reject_children(const Node& node) const;
+  void require_part_allowed(const Node& part, const Below& below) const;
+  void warn_of_repeated_part(const Call& part);
+
+  Document document_;
+  const BuildOptions& options_;
+  SceneDescription scene_;
+  std::vector<Frame> frames_;
+  std::vector<std::string_view> applied_;            ///< names of the scene statements so far
+  std::unordered_map<std::string, int> part_lines_;  ///< where each part name stood first
+};
+
+SceneDescription Builder::build() {
+  Node* root = find_root(document_.nodes);
+  if (root == nullptr) {
+    scene_.solid = build_solid(document_.nodes);
+    return std::move(scene_);
+  }
+  for (const Node& node : document_.nodes) {
+    if (is_skipped(node) || !is_scene_statement(node)) continue;
+    const Statement& statement = statement_of(node);
+    apply(node, statement, std::get<SceneStatement>(statement.meaning));
+  }
+  scene_.solid = build_solid({root, 1});
+  return std::move(scene_);
+}
+
+Solid Builder::build_solid(std::span<Node> nodes) {
+  Frame whole;
+  whole.children = nodes;
+  frames_.push_back(std::move(whole));
+  while (true) {
+    Frame& frame = frames_.back();
+    if (!frame.children.empty()) {
+      Node& node = frame.children.front();
+      frame.children = frame.children.subspan(1);
+      if (!is_skipped(node)) enter(node);
+    } else if (frames_.size() > 1) {
+      leave();
+    } else {
+      return frame.combine(std::move(frame.solids));
+    }
+  }
+}
+
+void Builder::enter(Node& node) {
+  const Statement& statement = statement_of(node);
+  if (const auto* solid = std::get_if<SolidStatement>(&statement.meaning)) {
+    frames_.back().solids.push_back(make_solid(node, statement, *solid));
+    node.give_up();
+  } else if (const auto* scene = std::get_if<SceneStatement>(&statement.meaning)) {
+    apply(node, statement, *scene);
+  } else {
+    open(node, statement, std::get<OperatorStatement>(statement.meaning));
+  }
+}
+
+void Builder::leave() {
+  Frame frame = std::move(frames_.back());
+  frames_.pop_back();
+  Solid solid = frame.combine(std::move(frame.solids));
+  // A union of one is that one, which keeps its own place.
+  if (solid.place().line == 0) solid = std::move(solid).at(place(*frame.node));
+  frame.node->give_up();
+  frames_.back().solids.push_back(std::move(solid));
+}
+
+const Statement& Builder::statement_of(const Node& node) const {
+  const Statement* statement = find_statement(node.name);
+  if (statement == nullptr) {
+    throw Error(ErrorCode::unknown_name, place(node), fmt::format("there is no statement '{}'", shortened(node.name)),
+                "",
+                did_you_mean(node.name, statement_names(),
+                             fmt::format("if it is a module of an OpenSCAD program, {}", export_remedy)));
+  }
+  if (std::holds_alternative<UnsupportedStatement>(statement->meaning)) {
+    throw Error(ErrorCode::unsupported, place(node), fmt::format("'{}' is not supported yet", node.name),
+                "it is valid OpenSCAD, but csgcast cannot make its solid",
+                "remove it, or leave it out with '*' before it");
+  }
+  return *statement;
+}
+
+Solid Builder::make_solid(const Node& node, const Statement& statement, const SolidStatement& meaning) {
+  Solid solid = meaning.make(call(node, statement));
+  reject_children(node);
+  return std::move(solid).at(place(node));
+}
+
+void Builder::apply(const Node& node, const Statement& statement, const SceneStatement& meaning) {
+  if (!frames_.empty() && !frames_.back().below.top) {
+    throw Error(ErrorCode::bad_value, place(node), fmt::format("'{}' stands below another statement", node.name),
+                "it concerns the whole picture", "move it to the top of the file, outside all { }");
+  }
+  const bool repeated = std::find(applied_.begin(), applied_.end(), node.name) != applied_.end();
+  if (meaning.count == SceneStatement::Count::once && repeated) {
+    throw Error(ErrorCode::bad_value, place(node), fmt::format("a second '{}'", node.name), "a scene has one at most",
+                "remove one of them");
+  }
+  applied_.push_back(statement.name);
+  meaning.apply(call(node, statement), scene_);
+  reject_children(node);
+}
+
+void Builder::open(Node& node, const Statement& statement, const OperatorStatement& meaning) {
+  Below below = frames_.back().below;
+  const bool is_part = node.name == "part";
+  if (is_part) require_part_allowed(node, below);
+  const Call arguments = call(node, statement);
+  Frame frame;
+  frame.children = node.children;
+  frame.node = &node;
+  frame.combine = meaning.make(arguments);
+  if (is_part) warn_of_repeated_part(arguments);
+  below.top = false;
+  if (meaning.parts == OperatorStatement::Parts::forbidden) below.forbids_parts = &node;
+  frame.below = below;
+  frames_.push_back(std::move(frame));
+}
+
+void Builder::reject_children(const Node& node) const {
+  if (node.children.empty()) return;
+  throw Error(ErrorCode::bad_value, place(node.children.front()), fmt::format("'{}' takes no children", node.name),
+              "only operators, transforms and looks do", fmt::format("end '{}(..)' with ';'", node.name));
+}
+
+void Builder::require_part_allowed(const Node& part, const Below& below) const {
+  if (below.forbids_parts == nullptr) return;
+  throw Error(ErrorCode::bad_value, place(part),
+              fmt::format("a part cannot stand below '{}'", below.forbids_parts->name),
+              "parts may only stand below unions, groups, transforms and looks",
+              fmt::format("move it around the '{}' of line {}", below.forbids_parts->name, below.forbids_parts->line));
+}
+
+void Builder::warn_of_repeated_part(const Call& part) {
+  const auto [first, is_new] = part_lines_.try_emplace(part.string("name").value(), part.place().line);
+  if (is_new) return;
+  part.warn(
+      fmt::format("a part of line {} is named '{}' too: they stay two parts", first->second, shortened(first->first)));
+}
+
+}  // namespace
+
+SceneDescription build(Document document, const BuildOptions& options) {
+  return Builder(std::move(document), options).build();
+}
+
+}  // namespace csgcast::text

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "csg/base/error.h"
+#include "csg/base/vector.h"
+#include "csg/solid/look.h"
+#include "csg/text/statement/builder.h"
+#include "csg/text/syntax/syntax.h"
+
+namespace csgcast::text {
+
+/// The argument names of a statement: positional ones in order, and those that must be named.
+struct Parameters {
+  std::vector<std::string_view> positional;
+  std::vector<std::string_view> named;
+};
+
+/// Whether OpenSCAD reads the value as undef: `undef`, `inf`, `nan`.
+bool counts_as_undef(const Value& value);
+
+/// A statement with its arguments bound to names and typed access to them.
+///
+/// As in OpenSCAD, `undef`, `inf` and `nan` count as an argument that is not given (with a warning for the last two),
+/// and so does a vector that holds one. Everything else of the wrong type throws Error(wrong_type) at the argument, or
+/// at the entry of its list.
+class Call {
+ public:
+  /// Throws Error(unknown_name) for a name that is none of the parameters, Error(bad_value) for one given twice and for
+  /// too many positional ones.
+  Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options,
+       std::vector<Warning>& warnings);
+
+  const std::string& name() const { return node_.name; }
+  Place place() const { return {file_, node_.line, node_.column}; }
+  Place place(const Value& value) const { return {file_, value.line, value.column}; }
+  /// Where the argument stands; the statement's place if it is not given.
+  Place place(std::string_view name) const;
+  const BuildOptions& options() const { return options_; }
+  void warn(std::string text) const { warnings_.push_back({place(), std::move(text)}); }
+
+  /// The value of an argument; null if it counts as not given.
+  const Value* find(std::string_view name) const;
+
+  std::optional<double> number(std::string_view name) const;
+  double number_or(std::string_view name, double otherwise) const;
+  double required_number(std::string_view name) const;
+  bool boolean_or(std::string_view name, bool otherwise) const;
+  std::optional<std::string> string(std::string_view name) const;
+  /// A list of exactly three numbers.
+  std::optional<Vector> vector(std::string_view name) const;
+  Vector required_vector(std::string_view name) const;
+  /// A list of two or three numbers; `third` stands for the last one if it is missing.
+  std::optional<Vector> padded_vector(std::string_view name, double third) const;
+  /// A list of three numbers that are not negative: linear light or absorption.
+  std::optional<Rgb> rgb(std::string_view name) const;
+  /// A list of any values; null if it counts as not given.
+  const List* list(std::string_view name) const;
+
+  // Entries of lists; `what` names them in errors ("a point", "a face").
+  double entry(const Value& value, std::string_view what) const;
+  Vector vector_entry(const Value& value, std::string_view what) const;
+  const List& list_entry(const Value& value, std::string_view what) const;
+
+  /// Throws Error(bad_value) at the argument unless `holds`; `rule` goes on from "'r' of 'sphere' must ".
+  void require(bool holds, std::string_view name, std::string_view rule) const;
+  [[noreturn]] void missing(std::string_view name, std::string_view what) const;
+  [[noreturn]] void reject(ErrorCode code, const Place& place, const std::string& problem, const std::string& why,
+                           const std::string& remedy) const;
+
+ private:
+  void bind(const Argument& argument, const Parameters& parameters, std::size_t& position);
+  void warn_of_words(const Argument& argument, std::string_view name) const;
+  [[noreturn]] void wrong_type(std::string_view name, const Value& value, std::string_view expected) const;
+  [[noreturn]] void unknown_argument(const Argument& argument, const Parameters& parameters) const;
+
+  const Node& node_;
+  const FileName& file_;
+  const BuildOptions& options_;
+  std::vector<Warning>& warnings_;
+  std::vector<std::pair<std::string_view, const Argument*>> bound_;
+};
+
+}  // namespace csgcast::text

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "csg/text/statement/detail/scene_statements.h"
+
+#include <cmath>
+
+#include "csg/text/statement/detail/color_argument.h"
+
+namespace csgcast::text {
+namespace {
+
+Point as_point(Vector v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+void apply_camera(const Call& call, SceneDescription& scene) {
+  CameraDescription camera;
+  camera.eye = as_point(call.required_vector("eye"));
+  camera.look_at = as_point(call.required_vector("look_at"));
+  camera.up = call.vector("up").value_or(camera.up);
+  const Vector view = normalised(camera.look_at - camera.eye);
+  call.require(view != Vector{}, "look_at", "differ from 'eye'");
+  call.require(cross(view, normalised(camera.up)) != Vector{}, "up", "not be zero nor along the view");
+  camera.height = call.number("height");
+  camera.fov = call.number_or("fov", camera.fov);
+  call.require(camera.fov > 0 && camera.fov < 180, "fov", "be greater than 0 and less than 180");
+  if (camera.height) {
+    call.require(*camera.height > 0, "height", "be greater than 0");
+    call.require(call.find("fov") == nullptr, "fov", "not stand beside 'height', which asks for a parallel projection");
+  }
+  scene.camera = camera;
+}
+
+void apply_light(const Call& call, SceneDescription& scene) {
+  LightDescription light;
+  if (const auto position = call.vector("position")) light.position = as_point(*position);
+  light.direction = call.vector("direction");
+  if (light.position.has_value() == light.direction.has_value()) {
+    call.reject(ErrorCode::bad_value, call.place(), "'light' needs either 'position' or 'direction'",
+                light.position ? "both are given" : "neither is given", "give one of them");
+  }
+  if (light.direction) call.require(*light.direction != Vector{}, "direction", "not be the zero vector");
+  light.color = color_argument(call, "color").value_or(light.color);
+  light.intensity = call.number_or("intensity", light.intensity);
+  call.require(light.intensity >= 0, "intensity", "not be negative");
+  light.falloff = call.number("falloff");
+  if (light.falloff) {
+    call.require(*light.falloff > 0, "falloff", "be greater than 0");
+    call.require(light.position.has_value(), "falloff", "belong to a light with a 'position'");
+  }
+  scene.lights.push_back(light);
+}
+
+void apply_background(const Call& call, SceneDescription& scene) {
+  scene.background = color_argument(call, "color");
+  if (!scene.background) call.missing("color", "a CSS name, \"#rrggbb\" or linear [r, g, b]");
+}
+
+void apply_settings(const Call& call, SceneDescription& scene) {
+  RenderSettings& settings = scene.settings;
+  const double depth = call.number_or("max_depth", settings.max_depth);
+  call.require(depth >= 0 && depth <= 100 && depth == std::trunc(depth), "max_depth",
+               "be a whole number from 0 to 100");
+  settings.max_depth = static_cast<int>(depth);
+  settings.min_contribution = call.number_or("min_contribution", settings.min_contribution);
+  call.require(settings.min_contribution >= 0 && settings.min_contribution <= 1, "min_contribution",
+               "be between 0 and 1");
+}
+
+}  // namespace csgcast::text

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "csg/text/statement/detail/statements.h"
+
+#include "csg/text/statement/detail/look_statements.h"
+#include "csg/text/statement/detail/operator_statements.h"
+#include "csg/text/statement/detail/scene_statements.h"
+#include "csg/text/statement/detail/solid_statements.h"
+#include "csg/text/statement/detail/transform_statements.h"
+
+namespace csgcast::text {
+namespace {
+
+/// OpenSCAD lets every solid have these, also where they mean nothing.
+Parameters solid_parameters(std::vector<std::string_view> positional, std::vector<std::string_view> named = {}) {
+  named.insert(named.end(), {"$fn", "$fa", "$fs"});
+  return {std::move(positional), std::move(named)};
+}
+
+void add_solids(std::vector<Statement>& table) {
+  const auto add = [&](std::string_view name, Parameters parameters, Solid (*make)(const Call&)) {
+    table.push_back({name, std::move(parameters), SolidStatement{make}});
+  };
+  add("cube", solid_parameters({"size", "center"}), make_cube);
+  add("sphere", solid_parameters({"r"}, {"d"}), make_sphere);
+  add("cylinder", solid_parameters({"h", "r1", "r2", "center"}, {"r", "d", "d1", "d2"}), make_cylinder);
+  add("ellipsoid", solid_parameters({"r"}), make_ellipsoid);
+  add("paraboloid", solid_parameters({"h", "r"}), make_paraboloid);
+  add("hyperboloid", solid_parameters({"h", "r", "waist"}), make_hyperboloid);
+  add("quadric", solid_parameters({"A", "b", "c"}), make_quadric);
+  add("halfspace", solid_parameters({"n", "d"}), make_halfspace);
+  add("convex", solid_parameters({}, {"points", "planes"}), make_convex);
+  add("polyhedron", solid_parameters({"points", "faces", "convexity"}), make_polyhedron);
+}
+
+void add_operators(std::vector<Statement>& table) {
+  using enum OperatorStatement::Parts;
+  const auto add = [&](std::string_view name, std::vector<std::string_view> positional, Combine (*make)(const Call&),
+                       OperatorStatement::Parts parts = allowed) {
+    table.push_back({name, {std::move(positional), {}}, OperatorStatement{make, parts}});
+  };
+  add("union", {}, make_union);
+  add("group", {}, make_union);
+  add("render", {"convexity"}, make_render);
+  add("difference", {}, make_difference, forbidden);
+  add("intersection", {}, make_intersection, forbidden);
+  add("complement", {}, make_complement, forbidden);
+  add("part", {"name", "density"}, make_part, forbidden);
+  add("multmatrix", {"m"}, make_multmatrix);
+  add("translate", {"v"}, make_translate);
+  add("rotate", {"a", "v"}, make_rotate);
+  add("scale", {"v"}, make_scale);
+  add("mirror", {"v"}, make_mirror);
+  add("color", {"c", "alpha"}, make_color);
+  add("material",
+      {"color", "ambient", "diffuse", "specular", "shininess", "reflection", "transmission", "ior", "emission",
+       "absorption"},
+      make_material);
+}
+
+void add_scene(std::vector<Statement>& table) {
+  using enum SceneStatement::Count;
+  const auto add = [&](std::string_view name, std::vector<std::string_view> positional,
+                       void (*apply)(const Call&, SceneDescription&), SceneStatement::Count count) {
+    table.push_back({name, {std::move(positional), {}}, SceneStatement{apply, count}});
+  };
+  add("camera", {"eye", "look_at", "up", "fov", "height"}, apply_camera, once);
+  add("light", {"position", "direction", "color", "intensity", "falloff"}, apply_light, many);
+  add("background", {"color"}, apply_background, once);
+  add("settings", {"max_depth", "min_contribution"}, apply_settings, once);
+}
+
+void add_unsupported(std::vector<Statement>& table) {
+  for (const std::string_view name :
+       {"hull", "minkowski", "linear_extrude", "rotate_extrude", "text", "square", "circle", "polygon", "import",
+        "surface", "projection", "offset", "resize", "roof", "fill"}) {
+    table.push_back({name, {}, UnsupportedStatement{}});
+  }
+}
+
+const std::vector<Statement>& table() {
+  static const std::vector<Statement> statements = [] {
+    std::vector<Statement> result;
+    add_solids(result);
+    add_operators(result);
+    add_scene(result);
+    add_unsupported(result);
+    return result;
+  }();
+  return statements;
+}
+
+}  // namespace
+
+const Statement* find_statement(std::string_view name) {
+  for (const Statement& statement : table()) {
+    if (statement.name == name) return &statement;
+  }
+  return nullptr;
+}
+
+std::span<const std::string_view> statement_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> result;
+    for (const Statement& statement : table()) {
+      if (!std::holds_alternative<UnsupportedStatement>(statement.meaning)) result.push_back(statement.name);
+    }
+    return result;
+  }();
+  return names;
+}
+
+}  // namespace csgcast::text

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "measure/search/extent.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "csg/base/truth_table.h"
+#include "measure/search/farthest.h"
+#include "measure/sheet/piece_forms.h"
+
+namespace csgcast::detail {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// In units of the space: nobody asks for more; and a solid may have a face that is bent next to nothing.
+constexpr double good_enough = 0x1p-34;
+constexpr std::size_t most_cuts = 20000;
+constexpr double least_half = 0x1p-44;  // coordinates round by as much
+// Coordinates and their sums in space are below 8 and round by less.
+constexpr double rounding = 0x1p-46;
+
+/// How far a solid reaches along one direction, best first.
+class Search {
+ public:
+  Search(const Space& space, Vector direction) : space_(space), cutter_(space), direction_(direction) {}
+
+  /// The least and the greatest that it may be; nothing if the solid is empty.
+  std::optional<Range> operator()() {
+    add(cutter_.whole());
+    for (std::size_t cuts = 0; !open_.empty() && cuts < most_cuts; ++cuts) {
+      if (open_.top().most <= std::fmax(reached_, left_) + good_enough) break;
+      const Open open = open_.top();
+      open_.pop();
+      auto [lower, upper] = cutter_.cut(open.piece, open.split, middle_of(open));
+      add(lower);
+      add(upper);
+    }
+    double most = std::fmax(reached_, left_);
+    if (!open_.empty()) most = std::fmax(most, open_.top().most);
+    if (std::isinf(most)) return std::nullopt;
+    return Range{reached_, most + rounding};
+  }
+
+ private:
+  struct Open {
+    double most = 0;  // no point of the solid in the piece is farther
+    std::size_t split = 0;
+    Piece piece;
+    friend bool operator<(const Open& a, const Open& b) { return a.most < b.most; }
+  };
+
+  static double middle_of(const Open& open) {
+    return 0.5 * (open.piece.box.lower[open.split] + open.piece.box.upper[open.split]);
+  }
+
+  void add(const Piece& piece) {
+    const Vector half = 0.5 * (piece.box.upper - piece.box.lower);
+    const double middle = dot(direction_, 0.5 * (piece.box.upper + piece.box.lower));
+    const double corner =
+        middle + std::fabs(direction_.x) * half.x + std::fabs(direction_.y) * half.y + std::fabs(direction_.z) * half.z;
+    if (piece.is_constant()) {
+      if (piece.value()) reached_ = std::fmax(reached_, corner - rounding);
+      return;
+    }
+    const PieceForms forms(space_, piece);
+    double most = corner;
+    if (!piece.is_crowded() && forms.are_known) {
+      if (middle > reached_ && forms.surely_hold({})) reached_ = middle - rounding;
+      const std::optional<double> by_planes = most_by_planes(forms, middle);
+      if (!by_planes) return;
+      most = std::fmin(most, *by_planes + rounding);
+    }
+    const std::size_t split = half.x >= half.y && half.x >= half.z ? 0 : half.y >= half.z ? 1 : 2;
+    if (half[split] < least_half) {
+      left_ = std::fmax(left_, most);  // not worth a cut
+    } else if (most > reached_) {
+      open_.push({most, split, piece});
+    }
+  }
+
+  /// How far a piece's points may reach that are beyond what is known to be reached; nothing if there are none.
+  std::optional<double> most_by_planes(const PieceForms& forms, double middle) {
+    std::array<LinearForm, Piece::most_surfaces> planes{};
+    std::array<double, Piece::most_surfaces> off{};
+    for (std::size_t i = 0; i < forms.count; ++i) {
+      const LocalForm& f = forms.f[i];
+      const Range bend = forms.bend_of(f);
+      planes[i] = {f.value + bend.middle(), f.gradient};
+      off[i] = bend.half() + 2 * f.slack;  // more than cutting rounds as well
+    }
+    const auto corner = farthest_corner(std::span(planes).first(forms.count), std::span(off).first(forms.count),
+                                        forms.table, forms.half, direction_, reached_ - middle);
+    if (!corner) return std::nullopt;
+    // A point a little way in may be inside for sure.
+    for (int exponent = -40; exponent <= -2; exponent += 2) {
+      const Vector d = corner->place + std::ldexp(1.0, exponent) * (corner->inner - corner->place);
+      const double reach = middle + dot(direction_, d) - rounding;
+      if (reach <= reached_) break;
+      if (!forms.surely_hold(d)) continue;
+      reached_ = reach;
+      break;
+    }
+    return middle + corner->reach;
+  }
+
+  const Space& space_;
+  PieceCutter cutter_;
+  Vector direction_;
+  std::priority_queue<Open> open_;
+  double reached_ = -infinity;  // by a point that is inside for sure
+  double left_ = -infinity;     // by pieces that were given up
+};
+
+}  // namespace
+
+Extent extent_of(const Space& space) {
+  Extent extent;
+  const auto axes = space.axes();
+  const Point center = space.scene().frame().center;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Vector direction{axes[0][axis], axes[1][axis], axes[2][axis]};
+    const std::optional<Range> up = Search(space, direction)();
+    const std::optional<Range> down = Search(space, -direction)();
+    if (!up || !down) return {};
+    extent.box.upper[axis] = center[axis] + space.scale() * up->high;
+    extent.box.lower[axis] = center[axis] - space.scale() * down->high;
+    // If no point is known to be inside, the solid may be anywhere between the sides.
+    const double width = up->high + down->high;
+    const double gap = std::fmin(width, std::fmax(up->high - up->low, down->high - down->low));
+    // Scaled and moved they round by half an ulp each.
+    extent.error = std::fmax(extent.error, space.scale() * (gap + rounding) + 0x1p-51 * std::fabs(center[axis]));
+  }
+  return extent;
+}
+
+}  // namespace csgcast::detail

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "csg/base/box.h"
+#include "raycast/cells/pieces.h"
+
+namespace csgcast::detail {
+
+/// How far a solid reaches along the axes of the scene.
+struct Extent {
+  Box box;           ///< null: the solid is empty
+  double error = 0;  ///< of each side
+};
+
+/// Precondition: the space is bounded.
+Extent extent_of(const Space& space);
+
+}  // namespace csgcast::detail

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "measure/sheet/estimate.h"
+#include "measure/sheet/measures.h"
+
+namespace csgcast::detail {
+
+/// Sums over all of a solid, in the coordinates of its space.
+struct Totals {
+  Moments moments;
+  double volume_error = 0;
+  std::array<double, 3> first_error{};
+  std::array<double, 6> second_error{};
+  double area = 0;
+  double area_error = 0;
+  std::size_t pieces = 0;
+  bool is_as_asked = false;
+};
+
+/// A sum and its error in the scene's unit of length: with what sums and scaling round, and with what is lost if the
+/// numbers are too large or too small for doubles.
+Measured scaled(double factor, double value, double error);
+
+/// Cuts space until the sums are as certain as the options ask. Precondition: it is bounded.
+Totals refine(const Space& space, const MeasureOptions& options);
+
+}  // namespace csgcast::detail

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "raycast/cells/pieces.h"
+
+namespace csgcast::detail {
+
+/// Not in the middle: faces are likely there, and one along a cut is nobody's for sure.
+inline std::pair<Piece, Piece> cut_across(PieceCutter& cutter, const Piece& piece, std::size_t axis) {
+  const double low = piece.box.lower[axis];
+  return cutter.cut(piece, axis, low + 0.4887 * (piece.box.upper[axis] - low));
+}
+
+/// Across the axis that leaves the fewest surfaces in the halves; across `preferred` if that is as good as any.
+inline std::pair<Piece, Piece> cut_apart(PieceCutter& cutter, const Piece& piece, std::size_t preferred) {
+  const auto surfaces = [](const std::pair<Piece, Piece>& halves) { return halves.first.count + halves.second.count; };
+  std::pair<Piece, Piece> best = cut_across(cutter, piece, preferred);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (axis == preferred) continue;
+    std::pair<Piece, Piece> other = cut_across(cutter, piece, axis);
+    if (surfaces(other) < surfaces(best)) best = std::move(other);
+  }
+  return best;
+}
+
+}  // namespace csgcast::detail

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "raycast/cells/build/cell_data.h"
+
+namespace csgcast::detail {
+
+using Float3 = std::array<float, 3>;
+
+struct FloatBox {
+  Float3 lower, upper;
+
+  void add(const FloatBox& other) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lower[axis] = std::min(lower[axis], other.lower[axis]);
+      upper[axis] = std::max(upper[axis], other.upper[axis]);
+    }
+  }
+  float area() const {
+    const float x = upper[0] - lower[0], y = upper[1] - lower[1], z = upper[2] - lower[2];
+    return x * y + y * z + z * x;
+  }
+};
+
+/// Beyond every coordinate, with a lower side above the upper one.
+inline constexpr FloatBox no_box{{1000, 1000, 1000}, {-1000, -1000, -1000}};
+
+/// A conjunction while the hierarchy is made.
+struct BoxedItem {
+  FloatBox box;
+  std::uint32_t index = 0;
+
+  float middle(std::size_t axis) const { return box.lower[axis] + box.upper[axis]; }
+};
+
+/// A hierarchy of boxes: halved by the surface area heuristic, and of the halves those are joined to nodes of eight
+/// that let lines meet the fewest nodes.
+class BoxHierarchy {
+ public:
+  BoxHierarchy(std::vector<BoxedItem> items, std::vector<BoxNode>& nodes) : items_(std::move(items)), nodes_(nodes) {}
+
+  void build();
+  /// What the children count: in this order conjunctions that lie next to each other are near in memory.
+  const std::vector<BoxedItem>& order() const { return items_; }
+
+ private:
+  struct Range {
+    std::size_t begin = 0, end = 0;
+    FloatBox box = no_box;
+
+    std::size_t size() const { return end - begin; }
+  };
+  // Of the binary tree: its two halves lie side by side, behind it.
+  struct Branch {
+    Range range;
+    std::uint32_t halves = 0;  // none: one item
+    // [i]: the area of all nodes below, if at most i + 1 of a node's places hold what is here.
+    std::array<float, BoxNode::width> costs{};
+  };
+  using Chosen = std::array<std::uint32_t, BoxNode::width>;
+  static constexpr std::size_t bins = 16;
+  struct Plane {
+    std::size_t axis = 0;
+    std::size_t bin = 0;
+    float cost = HUGE_VALF;
+  };
+
+  Range range_of(std::size_t begin, std::size_t end) const;
+  std::size_t halve(const Range& range);
+  static std::size_t bin_of(const BoxedItem& item, std::size_t axis, float low, float scale);
+  Plane best_plane(const Range& range, std::size_t axis, float low, float scale) const;
+  void make_branches();
+  float cost_of_halves(const Branch& branch, std::size_t places, std::size_t for_first) const;
+  std::size_t best_share(const Branch& branch, std::size_t places) const;
+  void set_costs(Branch& branch) const;
+  void choose(std::uint32_t branch, std::size_t places, Chosen& chosen, std::size_t& count) const;
+  void make_nodes();
+
+  std::vector<BoxedItem> items_;
+  std::vector<Branch> branches_;
+  std::vector<BoxNode>& nodes_;
+};
+
+}  // namespace csgcast::detail

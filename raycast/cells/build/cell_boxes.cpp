@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "raycast/cells/build/cell_builder.h"
+#include "raycast/scene/even_looks.h"
+
+// Where leaves lie, in the axes of the cells.
+
+namespace csgcast::detail {
+namespace {
+
+CellBox hull(const CellBox& a, const CellBox& b) {
+  CellBox result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    result.lower[axis] = std::fmin(a.lower[axis], b.lower[axis]);
+    result.upper[axis] = std::fmax(a.upper[axis], b.upper[axis]);
+  }
+  return result;
+}
+
+}  // namespace
+
+CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {
+  const Box& box_of_node = scene.node(node).box;
+  if (box_of_node.is_finite() && near_frame(in_frame(box_of_node, scene.frame()))) axes = common_axes(scene);
+  const CellBox near{{-near_side, -near_side, -near_side}, {near_side, near_side, near_side}};
+  forms.reserve(scene.surfaces().size());
+  slacks.reserve(scene.surfaces().size());
+  surfaces.reserve(scene.surfaces().size());
+  for (const Surface& surface : scene.surfaces()) {
+    forms.push_back({surface.local, surface.center});
+    if (axes) forms.back() = axes->turned(forms.back());
+    slacks.push_back(slack_of_lines(forms.back(), near));
+    surfaces.push_back(make_lane_surface(surface, axes ? &forms.back() : nullptr));
+  }
+  even_look = even_looks(scene);
+  const bool has_cuts =
+      std::any_of(scene.leaves().begin(), scene.leaves().end(), [](const Leaf& leaf) { return leaf.shows_cut; });
+  if (has_cuts) holders = HolderTree(scene, node);
+  place_leaves(node);
+}
+
+LookId CellGround::look_of(const Leaf& leaf, bool one_region) const {
+  if (!leaf.shows_cut) return leaf.look;
+  const bool is_even = one_region && leaf.region.valid() && even_look[leaf.region.index()] != 0;
+  return is_even ? scene.region(leaf.region).look : LookId();
+}
+
+void CellGround::place_leaves(NodeId node) {
+  leaf_boxes.resize(scene.leaves().size());
+  for (const Node& at : scene.nodes()) {
+    if (at.op == Node::Op::leaf) leaf_boxes[at.first] = box_of_leaf(scene.leaf(LeafId(at.first)), at.box);
+  }
+  is_bounded = scene.node(node).box.is_finite();
+  constexpr double side = 0.5;
+  box = {{-side, -side, -side}, {side, side, side}};
+  if (!is_bounded || scene.node(node).box.is_null()) return;
+  const CellBox solid = axes ? turned_box_of(node) : in_frame(scene.node(node).box, scene.frame());
+  const Vector more{CellBuilder::beside, CellBuilder::beside, CellBuilder::beside};
+  box = {solid.lower - more, solid.upper + more};
+}
+
+CellBox CellGround::box_of(const Box& world) const {
+  const CellBox own = tight_box_of(world);
+  const Vector more{CellBuilder::beside, CellBuilder::beside, CellBuilder::beside};
+  return {own.lower - more, own.upper + more};
+}
+
+CellBox CellGround::tight_box_of(const Box& world) const {
+  const CellBox straight = in_frame(world, scene.frame());
+  return axes ? axes->holding(straight) : straight;
+}
+
+// Where the axes are turned, as tight as those of the half-spaces allow that boxes have sides along.
+CellBox CellGround::box_of_leaf(const Leaf& leaf, const Box& world) const {
+  const CellBox straight = in_frame(world, scene.frame());
+  if (!axes) return straight;
+  CellBox result = axes->holding(straight);
+  constexpr double margin = 0x1p-31;
+  const auto cut = [&](std::size_t axis, double low, double high) {
+    result.lower[axis] = std::fmax(result.lower[axis], low - margin);
+    result.upper[axis] = std::fmin(result.upper[axis], high + margin);
+  };
+  for (const HalfSpace& half_space : scene.half_spaces(leaf)) {
+    const LaneSurface& surface = surfaces[half_space.surface.index()];
+    const bool takes_negative = half_space.sense == Sense::negative;
+    const LaneSurface::Kind kind = surface.kind;
+    if (kind < LaneSurface::Kind::plane) {
+      const bool is_upper = takes_negative == (surface.c[1] > 0);
+      cut(axis_of(kind), is_upper ? -HUGE_VAL : surface.c[0], is_upper ? surface.c[0] : HUGE_VAL);
+    }
+    if (!is_round(kind) || takes_negative != (surface.c[5] > 0)) continue;
+    const double radius = std::sqrt(surface.c[3]);
+    Vector center{surface.c[0], surface.c[1], surface.c[2]};
+    if (kind == LaneSurface::Kind::sphere) center = axes->turned(center);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (is_axis_cylinder(kind) && axis == axis_of(kind)) continue;
+      cut(axis, center[axis] - radius, center[axis] + radius);
+    }
+  }
+  return result;
+}
+
+// The box of a node in turned axes, from those of its leaves. Children come before their parents.
+CellBox CellGround::turned_box_of(NodeId node) const {
+  std::vector<CellBox> boxes(node.index() + 1);
+  for (std::uint32_t id = 0; id <= node.index(); ++id) {
+    const Node& at = scene.node(NodeId(id));
+    if (at.box.is_null() || !at.box.is_finite()) continue;  // not asked for, below
+    if (at.op == Node::Op::leaf) {
+      boxes[id] = leaf_boxes[at.first];
+      continue;
+    }
+    CellBox own = axes->holding(in_frame(at.box, scene.frame()));
+    const auto children = scene.children(at);
+    const auto bounds = [&](NodeId child) { return scene.node(child).box.is_finite(); };
+    const auto exists = [&](NodeId child) { return !scene.node(child).box.is_null(); };
+    if (at.op == Node::Op::unite && std::all_of(children.begin(), children.end(), bounds)) {
+      CellBox all{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+      for (const NodeId child : children) {
+        if (exists(child)) all = hull(all, boxes[child.index()]);
+      }
+      own = intersection(own, all);
+    } else if (at.op == Node::Op::subtract && bounds(children.front())) {
+      own = intersection(own, boxes[children.front().index()]);
+    } else if (at.op == Node::Op::intersect) {
+      for (const NodeId child : children) {
+        if (bounds(child) && exists(child)) own = intersection(own, boxes[child.index()]);
+      }
+    }
+    boxes[id] = own;
+  }
+  return boxes[node.index()];
+}
+
+}  // namespace csgcast::detail

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/cells/build/cut_look.h"
+
+#include <algorithm>
+
+namespace csgcast::detail {
+namespace {
+
+constexpr std::size_t most_entries = 128;
+
+}  // namespace
+
+HolderTree::HolderTree(const Scene& scene, NodeId root) {
+  // Nodes still to be laid out, and the entries whose operands they are.
+  struct Open {
+    NodeId node;
+    std::size_t parent;
+  };
+  constexpr std::size_t no_parent = most_entries;
+  std::vector<Open> open{{root, no_parent}};
+  std::vector<std::size_t> parents;
+  while (!open.empty()) {
+    const Open at = open.back();
+    open.pop_back();
+    if (entries_.size() == most_entries) return;
+    const Node& node = scene.node(at.node);
+    Entry entry;
+    std::size_t operands = 0;
+    const auto children = node.op == Node::Op::leaf ? std::span<const NodeId>() : scene.children(node);
+    switch (node.op) {
+      case Node::Op::leaf:
+        entry.op = Entry::Op::leaf;
+        entry.leaf = LeafId(node.first);
+        break;
+      case Node::Op::unite:
+      case Node::Op::intersect:
+        entry.op = node.op == Node::Op::unite ? Entry::Op::unite : Entry::Op::intersect;
+        operands = children.size();
+        break;
+      case Node::Op::subtract:
+        entry.op = Entry::Op::subtract;
+        operands = 1;
+        break;
+      default:
+        break;
+    }
+    const std::size_t index = entries_.size();
+    entries_.push_back(entry);
+    parents.push_back(at.parent);
+    for (std::size_t k = operands; k-- > 0;) open.push_back({children[k], index});
+  }
+  for (std::size_t i = entries_.size(); i-- > 0;) {
+    entries_[i].end = std::max(entries_[i].end, static_cast<std::uint32_t>(i + 1));
+    if (parents[i] == no_parent) continue;
+    Entry& parent = entries_[parents[i]];
+    parent.end = std::max(parent.end, entries_[i].end);
+  }
+  is_small_ = true;
+}
+
+// Operands come after their operators: from the back, they are known first.
+void HolderTree::evaluate(Search& search, const std::function<Known(LeafId)>& leaf) const {
+  std::vector<Known>& value = search.value;
+  value.assign(entries_.size(), Known::open);
+  for (std::size_t i = entries_.size(); i-- > 0;) {
+    const Entry& entry = entries_[i];
+    std::size_t operands = 0, yes = 0, no = 0;
+    for (std::size_t k = i + 1; k < entry.end; k = entries_[k].end) {
+      ++operands;
+      yes += value[k] == Known::yes ? 1 : 0;
+      no += value[k] == Known::no ? 1 : 0;
+    }
+    switch (entry.op) {
+      case Entry::Op::leaf:
+        value[i] = leaf(entry.leaf);
+        break;
+      case Entry::Op::unite:
+        value[i] = yes > 0 ? Known::yes : no == operands ? Known::no : Known::open;
+        break;
+      case Entry::Op::intersect:
+        value[i] = no > 0 ? Known::no : yes == operands ? Known::yes : Known::open;
+        break;
+      case Entry::Op::subtract:
+        value[i] = no > 0 ? Known::no : Known::open;  // what is subtracted is not looked at
+        break;
+      case Entry::Op::other:
+        break;
+    }
+  }
+}
+
+// The leaves that may hold a place inside the solid, and those that surely do. Whoever holds it has all operands of an
+// intersection hold it, and of a union those that are true there.
+void HolderTree::gather(Search& search) const {
+  search.candidates.clear();
+  enum : std::uint8_t { out, maybe, sure };
+  std::uint8_t state[most_entries] = {};
+  if (!entries_.empty()) state[0] = sure;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (state[i] == out) continue;
+    const Entry& entry = entries_[i];
+    if (entry.op == Entry::Op::leaf) search.candidates.push_back({entry.leaf.index(), state[i] == sure});
+    std::size_t possible = 0;
+    for (std::size_t k = i + 1; k < entry.end; k = entries_[k].end) possible += search.value[k] != Known::no ? 1 : 0;
+    for (std::size_t k = i + 1; k < entry.end; k = entries_[k].end) {
+      if (search.value[k] == Known::no) continue;
+      const bool follows = entry.op != Entry::Op::unite || possible == 1 || search.value[k] == Known::yes;
+      state[k] = follows ? state[i] : std::uint8_t{maybe};
+    }
+  }
+  std::sort(search.candidates.begin(), search.candidates.end(),
+            [](const Search::Candidate& a, const Search::Candidate& b) { return a.leaf < b.leaf; });
+}
+
+HolderTree::Shown HolderTree::shown(const Scene& scene, Search& search,
+                                    const std::function<Known(LeafId)>& leaf) const {
+  if (!is_small_) return {};
+  evaluate(search, leaf);
+  gather(search);
+  LookId look;
+  for (const Search::Candidate& candidate : search.candidates) {
+    const LookId own = scene.leaf(LeafId(candidate.leaf)).look;
+    if (look.valid() && own != look) return {};
+    look = own;
+    if (candidate.is_sure) return {true, look, false};
+  }
+  return {true, look, true};
+}
+
+}  // namespace csgcast::detail

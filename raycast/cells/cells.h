@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "raycast/scene/scene.h"
+
+namespace csgcast {
+
+/// A scene's space, cut into cells with what the tree comes to in each: what makes rays fast (docs/architecture.md).
+/// Read-only once it is made; any number of threads may use it.
+class Cells {
+ public:
+  /// Of the whole solid, or of one of its nodes. The scene must outlive the cells. Takes some 20 us a leaf, shared by
+  /// the threads that oneTBB has where it is called (tbb::task_arena); the cells do not depend on their number.
+  explicit Cells(const Scene& scene) : Cells(scene, scene.root()) {}
+  Cells(const Scene& scene, NodeId node);
+  ~Cells();
+  Cells(Cells&&) noexcept;
+
+  const Scene& scene() const { return *scene_; }
+  NodeId node() const { return node_; }
+
+  struct Counts {
+    std::size_t nodes = 0;      ///< of the kd-tree, ends included
+    std::size_t cells = 0;      ///< that some surface crosses
+    std::size_t surfaces = 0;   ///< summed over these cells
+    std::size_t large = 0;      ///< cells with more surfaces than a table of truth values takes
+    std::size_t undecided = 0;  ///< cells through which every ray is left to the caster
+    std::size_t boxed = 0;      ///< leaves, or intersections of some, in a hierarchy of boxes as well; 0: there is none
+    std::size_t bytes = 0;
+  };
+  Counts counts() const;
+
+  /// What the cells are, for those who cast packets (cells_data.h).
+  struct Data;
+  const Data& data() const { return *data_; }
+
+ private:
+  const Scene* scene_;
+  NodeId node_;
+  std::unique_ptr<const Data> data_;
+};
+
+}  // namespace csgcast

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/cells/formula/formula.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace csgcast::detail {
+namespace {
+
+// Lays out a scene's tree, node by node.
+class Layout {
+ public:
+  Layout(const Scene& scene, Formula& formula) : scene_(scene), formula_(formula) {}
+
+  /// Takes what does not meet a box for empty. The box must outlive this.
+  Layout& near(const Box& box) {
+    near_ = &box;
+    return *this;
+  }
+  /// Takes a node for empty, or everything.
+  Layout& with(NodeId node, bool as_everything) {
+    replaced_ = node;
+    as_everything_ = as_everything;
+    return *this;
+  }
+
+  /// False if that took more terms: then it was broken off, and the formula is none.
+  bool run(NodeId root, std::size_t most_terms = SIZE_MAX) {
+    visit(root);
+    while (!frames_.empty()) {
+      if (formula_.terms.size() > most_terms) {
+        formula_.terms.resize(1);
+        return false;
+      }
+      Frame& frame = frames_.back();
+      if (frame.next < frame.children.size()) {
+        visit(frame.children[frame.next++]);
+        continue;
+      }
+      Term& term = formula_.terms[frame.start];
+      term.size = static_cast<std::uint32_t>(formula_.terms.size()) - frame.start;
+      frames_.pop_back();
+    }
+    return true;
+  }
+
+ private:
+  struct Frame {
+    std::span<const NodeId> children;
+    std::size_t next;
+    std::uint32_t start;
+  };
+
+  static Term::Op op_of(Node::Op op) {
+    switch (op) {
+      case Node::Op::intersect:
+        return Term::Op::intersect;
+      case Node::Op::subtract:
+        return Term::Op::subtract;
+      case Node::Op::complement:
+        return Term::Op::complement;
+      default:
+        return Term::Op::unite;
+    }
+  }
+
+  void visit(NodeId id) {
+    const Node& node = scene_.node(id);
+    if (id == replaced_) return add_constant(as_everything_);
+    if (near_ != nullptr && csgcast::intersection(node.box, *near_).is_null()) return add_constant(false);
+    const auto start = static_cast<std::uint32_t>(formula_.terms.size());
+    if (node.op == Node::Op::leaf) {
+      const auto half_spaces = scene_.half_spaces(scene_.leaf(LeafId(node.first)));
+      formula_.terms.push_back({static_cast<std::uint32_t>(half_spaces.size()) + 1, node.first, Term::Op::leaf});
+      for (const HalfSpace& half_space : half_spaces) {
+        const std::uint32_t side = half_space.sense == Sense::positive ? 1 : 0;
+        formula_.terms.push_back({1, 2 * half_space.surface.index() + side, Term::Op::half_space});
+      }
+      return;
+    }
+    if (node.op == Node::Op::empty || node.op == Node::Op::everything)
+      return add_constant(node.op == Node::Op::everything);
+    formula_.terms.push_back({1, 0, op_of(node.op)});
+    frames_.push_back({scene_.children(node), 0, start});
+  }
+
+  // An operator without operands: a union of none is empty, an intersection of none everything.
+  void add_constant(bool value) { formula_.terms.push_back({1, 0, value ? Term::Op::intersect : Term::Op::unite}); }
+
+  const Scene& scene_;
+  Formula& formula_;
+  const Box* near_ = nullptr;
+  NodeId replaced_;
+  bool as_everything_ = false;
+  std::vector<Frame> frames_;
+};
+
+}  // namespace
+
+namespace {
+
+void append(Formula& whole, const Formula& operand) {
+  if (!operand.is_constant()) {
+    whole.terms.insert(whole.terms.end(), operand.terms.begin(), operand.terms.end());
+  } else {
+    whole.terms.push_back({1, 0, operand.value ? Term::Op::intersect : Term::Op::unite});  // of nothing
+  }
+}
+
+/// An operator over the operands that `add` lays out, folded.
+template <class Add>
+Formula joined(Term::Op op, Add&& add) {
+  Formula whole;
+  whole.terms.push_back({1, 0, op});
+  add(whole);
+  whole.terms.front().size = static_cast<std::uint32_t>(whole.terms.size());
+  Formula folded;
+  Folder().fold(
+      whole, folded, [](const Term&) { return Known::open; }, [](const Term&) { return Known::open; });
+  return folded;
+}
+
+Formula difference(const Formula& from, const Formula& less) {
+  return joined(Term::Op::subtract, [&](Formula& whole) {
+    append(whole, from);
+    append(whole, less);
+  });
+}
+
+}  // namespace
+
+Formula formula_of(const Scene& scene, NodeId node) { return formula_of_difference(scene, node, {}); }
+
+Formula formula_of_difference(const Scene& scene, NodeId node, std::span<const NodeId> less) {
+  return joined(Term::Op::subtract, [&](Formula& whole) {
+    Layout layout(scene, whole);
+    layout.run(node);
+    for (const NodeId other : less) layout.run(other);
+  });
+}
+
+Formula formula_of_common(const Scene& scene, NodeId a, NodeId b) {
+  return joined(Term::Op::intersect, [&](Formula& whole) {
+    Layout layout(scene, whole);
+    layout.run(a);
+    layout.run(b);
+  });
+}
+
+std::optional<Formula> formula_of_effect(const Scene& scene, NodeId root, NodeId node, bool as_everything,
+                                         const Box& near, std::size_t most_terms) {
+  bool is_short = true;
+  const auto tree = [&](NodeId of, NodeId replaced) {
+    return joined(Term::Op::unite, [&](Formula& whole) {
+      is_short = Layout(scene, whole).near(near).with(replaced, as_everything).run(of, most_terms) && is_short;
+    });
+  };
+  const Formula with = tree(root, NodeId());
+  if (!is_short) return std::nullopt;
+  const Formula without = tree(root, node);
+  const Formula own = tree(node, NodeId());
+  if (!is_short) return std::nullopt;
+  // Where one of the two holds and the other does not: inside the node, or outside if it becomes everything.
+  return joined(Term::Op::intersect, [&](Formula& whole) {
+    append(whole, as_everything ? joined(Term::Op::complement, [&](Formula& outside) { append(outside, own); }) : own);
+    append(whole, joined(Term::Op::unite, [&](Formula& either) {
+             append(either, difference(with, without));
+             append(either, difference(without, with));
+           }));
+  });
+}
+
+void Folder::begin(const Formula& from, Formula& result) {
+  result_ = &result;
+  result.terms.clear();
+  result.value = from.value;
+  frames_.clear();
+  at_ = 0;
+  done_ = false;
+}
+
+void Folder::open(const Term& term) {
+  const auto start = static_cast<std::uint32_t>(result_->terms.size());
+  const bool associates = term.op == Term::Op::unite || term.op == Term::Op::intersect;
+  const bool is_merged = associates && !frames_.empty() && frames_.back().op == term.op;
+  if (!is_merged) result_->terms.push_back(term);
+  frames_.push_back({static_cast<std::uint32_t>(at_) + term.size, start, 0, 0, term.op, is_merged});
+  ++at_;
+}
+
+void Folder::deliver(Known value, std::span<const Term> operand) {
+  if (value != Known::open) return settle(value == Known::yes);
+  result_->terms.insert(result_->terms.end(), operand.begin(), operand.end());
+  keep();
+}
+
+// An operand of the operator on top stays.
+void Folder::keep() {
+  if (frames_.empty()) return;
+  ++frames_.back().kept;
+  ++frames_.back().seen;
+}
+
+// An operand of the operator on top is constant; maybe the operator is, then.
+void Folder::settle(bool value) {
+  while (!frames_.empty()) {
+    Frame& frame = frames_.back();
+    bool absorbs = true;
+    switch (frame.op) {
+      case Term::Op::unite:
+        absorbs = value;
+        break;
+      case Term::Op::complement:
+        value = !value;
+        break;
+      case Term::Op::subtract:
+        absorbs = (frame.seen == 0) != value;
+        if (!absorbs && frame.seen == 0) {
+          frame.op = Term::Op::complement;  // everything less the second operand
+          result_->terms[frame.start].op = Term::Op::complement;
+        }
+        if (absorbs) value = false;
+        break;
+      default:
+        absorbs = !value;
+    }
+    if (!absorbs) {
+      ++frame.seen;
+      return;
+    }
+    result_->terms.resize(frame.start);
+    at_ = frame.end;
+    frames_.pop_back();
+  }
+  result_->value = value;
+  done_ = true;
+}
+
+void Folder::close_finished() {
+  while (!frames_.empty() && frames_.back().end == at_) {
+    const Frame frame = frames_.back();
+    frames_.pop_back();
+    close(frame);
+    if (done_) return;
+  }
+}
+
+void Folder::close(const Frame& frame) {
+  if (frame.is_merged) {
+    frames_.back().kept += frame.kept;
+    ++frames_.back().seen;
+    return;
+  }
+  std::vector<Term>& terms = result_->terms;
+  if (frame.kept == 0) {
+    terms.resize(frame.start);
+    return settle(frame.op != Term::Op::unite);
+  }
+  const bool is_plain = frame.kept == 1 && frame.op != Term::Op::leaf && frame.op != Term::Op::complement;
+  if (is_plain) {
+    // One operand left: it stands for the operator.
+    terms.erase(terms.begin() + frame.start);
+  } else {
+    terms[frame.start].size = static_cast<std::uint32_t>(terms.size()) - frame.start;
+  }
+  keep();
+}
+
+}  // namespace csgcast::detail

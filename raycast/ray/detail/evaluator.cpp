@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/ray/detail/evaluator.h"
+
+#include <algorithm>
+
+#include "raycast/line/box_line.h"
+#include "raycast/ray/interval_list.h"
+
+namespace csgcast::detail {
+
+Evaluator::Evaluator(const Scene& scene, LineCache& cache) : scene_(scene), cache_(cache) {}
+
+IntervalList& Evaluator::push_list() {
+  if (list_count_ == lists_.size()) lists_.emplace_back();
+  IntervalList& list = lists_[list_count_++];
+  list.clear();
+  return list;
+}
+
+const IntervalList& Evaluator::evaluate(NodeId node, Span span, Want want) {
+  frames_.clear();
+  list_count_ = 0;
+  enter(node, span, want);
+  while (!frames_.empty()) {
+    Frame& frame = frames_.back();
+    if (frame.next == frame.node->count || decided(frame)) {
+      if (frame.node->op == Node::Op::complement) {
+        const IntervalList whole{{line_start(), line_end()}};
+        combine<Difference>(whole, lists_[list_count_ - 1], scratch_,
+                            [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); });
+        std::swap(scratch_, lists_[list_count_ - 1]);
+      }
+      frames_.pop_back();
+      deliver();
+      continue;
+    }
+    const NodeId child = scene_.children(*frame.node)[frame.next++];
+    const bool passes_on = frame.node->op == Node::Op::unite;
+    enter(child, child_span(frame), passes_on ? frame.want : Want::all);
+  }
+  return lists_.front();
+}
+
+// Opens a node; one without children, or out of reach, delivers its list at once.
+void Evaluator::enter(NodeId id, Span span, Want want) {
+  const Node& node = scene_.node(id);
+  if (node.op == Node::Op::empty) {
+    push_list();
+    return deliver();
+  }
+  if (node.op == Node::Op::everything) {
+    push_list().push_back({line_start(), line_end()});
+    return deliver();
+  }
+  ++box_tests_;
+  Span reach = span;
+  if (!may_meet(node.box, cache_.ray(), reach)) {
+    push_list();
+    return deliver();
+  }
+  if (node.op == Node::Op::leaf) {
+    ++leaf_tests_;
+    leaf_intervals(scene_.leaf(LeafId(node.first)), reach, push_list());
+    return deliver();
+  }
+  frames_.push_back({&node, 0, span, want});
+}
+
+// The list on top of the stack is a child's result: combine it with what its parent has so far.
+void Evaluator::deliver() {
+  if (frames_.empty() || frames_.back().next <= 1) return;
+  merge_into_parent(frames_.back());
+}
+
+void Evaluator::merge_into_parent(const Frame& parent) {
+  const auto by_order = [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); };
+  const IntervalList& right = lists_[list_count_ - 1];
+  IntervalList& left = lists_[list_count_ - 2];
+  --list_count_;
+  if (parent.node->op == Node::Op::unite) {
+    if (right.empty()) return;
+    if (left.empty()) return std::swap(left, lists_[list_count_]);
+    combine<Union>(left, right, scratch_, by_order);
+  } else if (parent.node->op == Node::Op::intersect) {
+    combine<Intersection>(left, right, scratch_, by_order);
+  } else {
+    if (right.empty()) return;
+    combine<Difference>(left, right, scratch_, by_order);
+  }
+  std::swap(left, scratch_);
+}
+
+// Whether the children evaluated so far settle what is wanted of the frame.
+bool Evaluator::decided(const Frame& frame) {
+  if (frame.next == 0) return false;
+  const IntervalList& so_far = lists_[list_count_ - 1];
+  if (frame.node->op != Node::Op::unite) return so_far.empty();
+  if (frame.want != Want::any) return false;
+  return std::any_of(so_far.begin(), so_far.end(), [&](const Interval& interval) {
+    return cache_.order(interval.exit, frame.span.from) > 0 && cache_.order(interval.entry, frame.span.to) < 0;
+  });
+}
+
+// The part of the span in which the next child can change the result.
+Span Evaluator::child_span(const Frame& frame) {
+  if (frame.next <= 1) return frame.span;  // next has been advanced to the child being entered
+  const IntervalList& so_far = lists_[list_count_ - 1];
+  if (frame.node->op != Node::Op::unite) {
+    return {std::max(frame.span.from, cache_.earliest(so_far.front().entry)),
+            std::min(frame.span.to, cache_.latest(so_far.back().exit))};
+  }
+  if (frame.want != Want::first) return frame.span;
+  // Nothing beyond the first entry after the span's start can be the first hit of the union.
+  for (const Interval& interval : so_far) {
+    if (cache_.order(interval.entry, frame.span.from) > 0)
+      return {frame.span.from, std::min(frame.span.to, cache_.latest(interval.entry))};
+  }
+  return frame.span;
+}
+
+// The run of the line inside all planes of a leaf; none if it is empty.
+std::optional<Interval> Evaluator::run_inside_planes(const Leaf& leaf) {
+  Interval run{line_start(), line_end()};
+  for (const HalfSpace& half_space : scene_.half_spaces(leaf)) {
+    if (scene_.surface(half_space.surface).kind != SurfaceKind::plane) continue;
+    const LineCrossings& found = cache_.found(half_space.surface);
+    const bool wants_positive = half_space.sense == Sense::positive;
+    if (found.count == 0) {
+      if (found.positive_before != wants_positive) return std::nullopt;
+      continue;
+    }
+    const Crossing at = cache_.crossing(half_space.surface, 0);
+    if (found.positive_before == wants_positive) {
+      if (cache_.order(at, run.exit) < 0) run.exit = at;
+    } else if (cache_.order(at, run.entry) > 0) {
+      run.entry = at;
+    }
+    if (cache_.order(run.entry, run.exit) >= 0) return std::nullopt;
+  }
+  return run;
+}
+
+void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list) {
+  const std::optional<Interval> run = run_inside_planes(leaf);
+  if (!run) return;
+  list.push_back(*run);
+  for (const HalfSpace& half_space : scene_.half_spaces(leaf)) {
+    if (scene_.surface(half_space.surface).kind == SurfaceKind::plane) continue;
+    half_space_intervals(half_space);
+    combine<Intersection>(list, half_space_, scratch_,
+                          [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); });
+    std::swap(list, scratch_);
+  }
+  // Of a local surface what lies outside the frame's cube may be missing (predicates.h): whatever that makes is outside
+  // the leaf's box.
+  std::erase_if(list, [&](const Interval& interval) {
+    return cache_.earliest(interval.entry) > reach.to || cache_.latest(interval.exit) < reach.from;
+  });
+}
+
+// The runs of the line on a quadric half-space's side, into half_space_.
+void Evaluator::half_space_intervals(const HalfSpace& half_space) {
+  const LineCrossings& found = cache_.found(half_space.surface);
+  half_space_.clear();
+  Crossing from = line_start();
+  for (unsigned n = 0; n <= found.count; ++n) {
+    const Crossing to =
+        n < found.count ? cache_.crossing(half_space.surface, static_cast<std::uint8_t>(n)) : line_end();
+    if (found.positive_after(n) == (half_space.sense == Sense::positive)) half_space_.push_back({from, to});
+    from = to;
+  }
+}
+
+}  // namespace csgcast::detail

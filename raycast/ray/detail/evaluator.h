@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "raycast/ray/detail/line_cache.h"
+#include "raycast/ray/hit.h"
+#include "raycast/scene/scene.h"
+
+namespace csgcast::detail {
+
+/// How much of the list is wanted.
+enum class Want : std::uint8_t {
+  all,    ///< every interval in the span
+  first,  ///< whether the span's start is inside, and the first entry if it is not; arbitrary beyond
+  any,    ///< some interval with an inside in the span, if there is one
+};
+
+/// The definition of the engine: interval lists of leaves, merged bottom-up by union, intersection and difference.
+///
+/// What cannot matter is not evaluated: nodes whose box the span misses, the right side of a difference whose left is
+/// empty, the rest of an intersection once it is empty, children beyond the extent of what they are combined with. One
+/// explicit stack: trees may be a million deep.
+class Evaluator {
+ public:
+  Evaluator(const Scene& scene, LineCache& cache);
+
+  /// The list of a node along the cache's ray, right within the span and unclipped; valid until the next call. The
+  /// bounding surface of an end at which several surfaces tie may be any of them.
+  const IntervalList& evaluate(NodeId node, Span span, Want want);
+
+  std::uint64_t box_tests() const { return box_tests_; }
+  std::uint64_t leaf_tests() const { return leaf_tests_; }
+
+ private:
+  struct Frame {
+    const Node* node;
+    std::uint32_t next;  // the child to evaluate next
+    Span span;
+    Want want;
+  };
+
+  void enter(NodeId id, Span span, Want want);
+  void deliver();
+  Span child_span(const Frame& frame);
+  bool decided(const Frame& frame);
+  void merge_into_parent(const Frame& parent);
+  std::optional<Interval> run_inside_planes(const Leaf& leaf);
+  void leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list);
+  void half_space_intervals(const HalfSpace& half_space);
+  IntervalList& push_list();
+
+  const Scene& scene_;
+  LineCache& cache_;
+  std::vector<Frame> frames_;
+  // A stack of lists whose memory stays: one for each open frame that has a result so far, and the one on its way to
+  // its parent.
+  std::vector<IntervalList> lists_;
+  std::size_t list_count_ = 0;
+  IntervalList scratch_;
+  IntervalList half_space_;
+  std::uint64_t box_tests_ = 0;
+  std::uint64_t leaf_tests_ = 0;
+};
+
+}  // namespace csgcast::detail

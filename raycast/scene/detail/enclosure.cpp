@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/scene/detail/enclosure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "raycast/surface/cell_form.h"
+
+namespace csgcast::detail {
+namespace {
+
+using Form = QuadricForm;
+
+bool before(const HalfSpace& a, const HalfSpace& b) {
+  return std::pair(a.surface, a.sense) < std::pair(b.surface, b.sense);
+}
+
+CellForm form_of(const Surface& surface) { return {surface.local, surface.center}; }
+
+// Whether a box lies within a plane's half-space, clear of the plane by far more than rounding, of the numbers here as
+// of the places where rays start.
+bool holds(const Scene& scene, const HalfSpace& half_space, const Box& box) {
+  constexpr double clearance = 0x1p-40;
+  const Surface& plane = scene.surface(half_space.surface);
+  if (plane.kind != SurfaceKind::plane || !plane.is_local || !plane.in_range || !box.is_finite()) return false;
+  const CellBox place = in_frame(box, scene.frame());
+  const LocalForm f = local_form(form_of(plane), place);
+  const Vector half = 0.5 * (place.upper - place.lower);
+  const double reach =
+      std::fabs(f.gradient.x) * half.x + std::fabs(f.gradient.y) * half.y + std::fabs(f.gradient.z) * half.z;
+  const double most = (half_space.sense == Sense::negative ? f.value : -f.value) + reach;
+  return most < -clearance * (plane.first_degree + plane.constant);
+}
+
+// Whether the closed set f <= 0 is convex because f is: its second degree, twice a symmetric matrix, has no negative
+// principal minor. Exact.
+bool is_convex(const QuadricForm& f) {
+  const auto& c = f.coefficient;
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    const Dyadic& mixed = c[Form::second_degree(i, j)];
+    return Dyadic(4) * c[Form::xx + i] * c[Form::xx + j] - mixed * mixed;
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (c[Form::xx + i].sign() < 0 || minor(i, (i + 1) % 3).sign() < 0) return false;
+  }
+  const Dyadic determinant = c[Form::xx] * minor(1, 2) + c[Form::xy] * c[Form::xz] * c[Form::yz] -
+                             c[Form::yy] * c[Form::xz] * c[Form::xz] - c[Form::zz] * c[Form::xy] * c[Form::xy];
+  return determinant.sign() >= 0;
+}
+
+// Whether normals computed near the solid tell where a ray leaves such a set: their lengths have a lower bound, because
+// f is convex and far below 0 in the solid's middle (docs/accuracy.md, "Rays that lead away").
+bool has_sound_normals(const Scene& scene, const Surface& surface, Sense sense) {
+  constexpr double depth = 0x1p-20;
+  if (!surface.is_local || !scene.bounds().is_finite()) return false;
+  const Point middle = scene.bounds().center();
+  const double value = local_form(form_of(surface), in_frame({middle, middle}, scene.frame())).value;
+  const double size = 4 * surface.second_degree + 2 * surface.first_degree + surface.constant;
+  return (sense == Sense::negative ? value : -value) < -depth * size;
+}
+
+bool leads_away(const Scene& scene, const HalfSpace& half_space) {
+  const Surface& surface = scene.surface(half_space.surface);
+  if (!surface.in_range) return false;
+  if (surface.kind == SurfaceKind::plane) return true;
+  if (!has_sound_normals(scene, surface, half_space.sense)) return false;
+  const QuadricForm form = surface.exact.unpacked();
+  return is_convex(half_space.sense == Sense::negative ? form : -form);
+}
+
+// The half-spaces that hold what a node stands for, as far as is seen.
+class Enclosure {
+ public:
+  explicit Enclosure(const Scene& scene) : scene_(scene) {}
+
+  std::vector<HalfSpace> of(NodeId root) {
+    // Every node before its operands, the first of these first: backwards they are the last ones that were found.
+    std::vector<NodeId> order;
+    std::vector<NodeId> pending{root};
+    while (!pending.empty()) {
+      order.push_back(pending.back());
+      pending.pop_back();
+      const auto children = operands(scene_.node(order.back()));
+      pending.insert(pending.end(), children.rbegin(), children.rend());
+    }
+    for (auto node = order.rbegin(); node != order.rend(); ++node) add(scene_.node(*node));
+    return std::move(found_.front());
+  }
+
+ private:
+  // Of what operators join. More are seldom of use, and deep chains must not take the square of their length.
+  static constexpr std::size_t most = 1024;
+
+  // The children whose half-spaces matter to the node.
+  std::span<const NodeId> operands(const Node& node) const {
+    switch (node.op) {
+      case Node::Op::unite:
+      case Node::Op::intersect:
+        return scene_.children(node);
+      case Node::Op::subtract:
+        return scene_.children(node).first(1);
+      default:
+        return {};
+    }
+  }
+
+  void add(const Node& node) {
+    const auto children = operands(node);
+    if (children.empty()) {
+      found_.emplace_back();
+      if (node.op != Node::Op::leaf) return;
+      const auto own = scene_.half_spaces(scene_.leaf(LeafId(node.first)));
+      found_.back().assign(own.begin(), own.end());
+      return;
+    }
+    std::vector<HalfSpace> sum = take();
+    Box box = scene_.node(children.front()).box;
+    for (const NodeId child : children.subspan(1)) {
+      std::vector<HalfSpace> next = take();
+      const Box& next_box = scene_.node(child).box;
+      if (node.op == Node::Op::unite) {
+        sum = common(sum, box, next, next_box);
+      } else {
+        sum.insert(sum.end(), next.begin(), next.end());
+      }
+      if (sum.size() > most) sum.resize(most);
+      box = hull(box, next_box);
+    }
+    found_.push_back(std::move(sum));
+  }
+
+  std::vector<HalfSpace> take() {
+    std::vector<HalfSpace> last = std::move(found_.back());
+    found_.pop_back();
+    return last;
+  }
+
+  // Those of two sets that hold the other one, too.
+  std::vector<HalfSpace> common(std::vector<HalfSpace>& first, const Box& first_box, std::vector<HalfSpace>& second,
+                                const Box& second_box) const {
+    std::sort(second.begin(), second.end(), before);
+    std::vector<HalfSpace> both;
+    for (const HalfSpace& one : first) {
+      if (std::binary_search(second.begin(), second.end(), one, before) || holds(scene_, one, second_box))
+        both.push_back(one);
+    }
+    for (const HalfSpace& one : second) {
+      if (holds(scene_, one, first_box)) both.push_back(one);
+    }
+    return both;
+  }
+
+  const Scene& scene_;
+  std::vector<std::vector<HalfSpace>> found_;  // of nodes that no parent has taken yet
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> sides_that_lead_away(const Scene& scene) {
+  std::vector<std::uint8_t> sides;
+  for (const HalfSpace& half_space : Enclosure(scene).of(scene.root())) {
+    if (!leads_away(scene, half_space)) continue;
+    sides.resize(scene.surfaces().size());
+    sides[half_space.surface.index()] |=
+        static_cast<std::uint8_t>(1u << static_cast<unsigned>(opposite(half_space.sense)));
+  }
+  return sides;
+}
+
+}  // namespace csgcast::detail

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "csg/exact/packed_form.h"
+#include "raycast/scene/detail/hash_index.h"
+#include "raycast/scene/detail/weld/welder.h"
+#include "raycast/scene/scene.h"
+#include "raycast/surface/surface.h"
+
+namespace csgcast::detail {
+
+/// The surfaces of a scene, one for each canonical form: proportional forms share an id, and the sign of the factor is
+/// the sense.
+class SurfaceTable {
+ public:
+  /// The half-space f <= 0 of a leaf with these bounds. Precondition: f is not constant.
+  HalfSpace half_space(const QuadricForm& f, const Box& leaf);
+
+  std::size_t size() const { return entries_.size(); }
+  const PackedForm& form(SurfaceId id) const { return entries_[id.index()].form; }
+
+  /// Makes surfaces one: each becomes replacements[id], which is itself or one that stays. Ids close up in the order of
+  /// first appearance. Returns what the positive side of each old surface is now.
+  std::vector<HalfSpace> merge(std::span<const Replacement> replacements);
+
+  /// All surfaces with their floating-point forms in a frame. Leaves the table empty.
+  std::vector<Surface> take(const Frame& frame);
+
+ private:
+  struct Entry {
+    PackedForm form;
+    Point near;     // the middle of one leaf that owns the surface; NaN along an axis that the leaf has no end on
+    bool is_local;  // all such leaves are bounded
+  };
+  std::vector<Entry> entries_;
+  HashIndex by_form_;
+};
+
+}  // namespace csgcast::detail

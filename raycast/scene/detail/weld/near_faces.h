@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "raycast/scene/detail/weld/coincidence.h"
+
+namespace csgcast::detail {
+
+/// A leaf's box and the surfaces of its faces.
+struct LeafFaces {
+  Box box;  ///< finite
+  std::vector<std::uint32_t> surfaces;
+};
+
+/// Finds faces of leaves that touch or overlap, or of one leaf, that are nearly the same: for tolerances that a person
+/// sets, which may be large beside a leaf.
+class NearFaces {
+ public:
+  /// Forms of all surfaces in one region; those of one pair are at most `most_gap` apart over the boxes of its leaves.
+  NearFaces(std::span<const RegionForm> forms, const Region& region, double most_gap)
+      : forms_(forms), region_(region), most_gap_(most_gap) {}
+
+  /// A pair of surfaces a < b with the leaves that brought them together; may come again with other leaves.
+  struct Pair {
+    std::uint32_t a;
+    std::uint32_t b;
+    std::uint32_t leaf_of_a;
+    std::uint32_t leaf_of_b;
+    double gap;
+  };
+  /// Takes a pair; false if it wants no more.
+  using Take = std::function<bool(const Pair&)>;
+
+  /// Hands each pair over. False if `most_work` comparisons were not enough, or no more were wanted.
+  bool search(std::span<const LeafFaces> leaves, std::uint64_t most_work, const Take& take);
+
+ private:
+  bool compare(std::span<const LeafFaces> leaves, std::uint32_t i, std::uint32_t j, const Take& take);
+  // The forms of a leaf's surfaces about a place.
+  void move_to(const Region& place, const LeafFaces& leaf, std::vector<RegionForm>& moved) const;
+
+  std::span<const RegionForm> forms_;
+  Region region_;
+  double most_gap_;
+  std::uint64_t work_ = 0;
+  std::vector<RegionForm> first_;
+  std::vector<RegionForm> second_;
+};
+
+}  // namespace csgcast::detail

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "csg/exact/affine.h"
+#include "csg/solid/solid.h"
+#include "raycast/scene/detail/hash_index.h"
+#include "raycast/scene/detail/weld/coincidence.h"
+
+namespace csgcast::detail {
+
+/// Where surfaces come from: for each the leaves that own it and the chain of transforms that moved them, and so how
+/// far the surface may be from what was meant if every number is known to half an ulp.
+class Provenance {
+ public:
+  /// A chain of transforms, the innermost at the end; equal chains have one id. 0 is the empty chain.
+  using ChainId = std::uint32_t;
+  /// One form of one leaf.
+  struct Source {
+    std::uint32_t leaf;
+    std::uint32_t form;
+  };
+
+  Provenance();
+
+  /// The chain `outer` with one more transform inside; `world_from_solid` is the exact product of the whole.
+  ChainId chain(ChainId outer, const Transform& transform, const ExactAffine& world_from_solid);
+  /// Returns the leaf's index; the leaf's place is the solid's.
+  std::uint32_t add_leaf(const Solid& solid, ChainId chain, const Box& box);
+
+  std::size_t leaf_count() const { return leaves_.size(); }
+  const Place& place(Source source) const { return leaves_[source.leaf].solid.place(); }
+  const Box& box(Source source) const { return leaves_[source.leaf].box; }
+  ChainId chain_of(Source source) const { return leaves_[source.leaf].chain; }
+  /// The chain that two have in common from the outside: what it adds to one surface it adds to the other. `steps` is
+  /// counted up by the work it took.
+  ChainId common(ChainId a, ChainId b, std::uint64_t& steps) const;
+
+  /// How far the source's surface, whose form in the region is given, may be off what was meant, but for what the
+  /// transforms of the chain `known`, an outer part of its own, add.
+  FormError error(Source source, const RegionForm& form, const Region& region, ChainId known) const;
+
+ private:
+  using Matrix = std::array<double, 9>;
+  static constexpr Matrix identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  // The linear part of one transform.
+  struct Turn {
+    Matrix entry = identity;
+    double error = 0;
+  };
+  // The linear part of a whole chain and its inverse, in plain double: errors need not be exact.
+  struct Linear {
+    Matrix forward = identity;
+    Matrix inverse = identity;
+  };
+  // A large scene has as many chains as leaves, most of which end with a translation. That changes no linear part, so
+  // these are kept aside, and what a link keeps is small.
+  struct Link {
+    ChainId outer = 0;
+    std::uint32_t depth = 0;
+    std::uint32_t turn = 0;    // of its own transform, in turns_
+    std::uint32_t linear = 0;  // of the whole chain, in linears_
+    Vector own_offset;
+    Vector offset;  // of the whole chain
+  };
+  struct LeafSource {
+    Solid solid;
+    ChainId chain;
+    Box box;
+  };
+
+  /// The solid's coordinates over a region: at + spread s.
+  struct LocalRegion {
+    Vector at;
+    Matrix spread;
+  };
+  bool is_link(const Link& link, ChainId outer, const Transform& transform) const;
+  void set_linear(Link& link, const Transform& transform, const ExactAffine& world_from_solid);
+  LocalRegion local(const Link& link, const Region& region) const;
+  FormError shape_error(const LeafShape& shape, std::uint32_t form, const RegionForm& moved,
+                        const LocalRegion& local) const;
+
+  std::vector<Turn> turns_;      // the first is the identity
+  std::vector<Linear> linears_;  // likewise
+  std::vector<Link> links_;      // the first is the empty chain
+  HashIndex by_transform_;       // all others by their outer chain and their own transform
+  std::vector<LeafSource> leaves_;
+};
+
+}  // namespace csgcast::detail

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "csg/exact/packed_form.h"
+#include "raycast/line/crossing.h"
+#include "raycast/scene/detail/weld/near_faces.h"
+#include "raycast/scene/detail/weld/near_pairs.h"
+#include "raycast/scene/detail/weld/provenance.h"
+#include "raycast/scene/welding.h"
+
+namespace csgcast::detail {
+
+/// What a surface becomes: another one, or itself.
+struct Replacement {
+  std::uint32_t surface;
+  bool flipped = false;  ///< its canonical form has the other sign
+};
+
+/// Welds the surfaces of one scene. What it does depends on their forms and where they come from, not on their order:
+/// the simplest form of those that nearly coincide takes the others in, and each moves at most as far as their own
+/// numbers are uncertain.
+class Welder {
+ public:
+  /// A surface and the leaves that own it.
+  struct Candidate {
+    const PackedForm* form;
+    std::span<const Provenance::Source> sources;
+  };
+
+  /// `everything` holds all bounded leaves; null if the scene has no size.
+  Welder(const Provenance& provenance, const Welding& welding, const Box& everything);
+
+  /// One replacement a surface; adds to the report.
+  std::vector<Replacement> run(std::span<const Candidate> candidates, WeldReport& report);
+
+ private:
+  // One surface of a group.
+  struct Surface {
+    std::uint32_t number = 0;
+    QuadricForm form;
+    std::vector<Provenance::Source> sources;  // one for each chain of transforms, those known best
+    Box box;                                  // of all leaves that own it, as far as it is finite
+    std::size_t bits = 0;
+  };
+  // It at a place, while it is compared.
+  struct Member {
+    const Surface* surface;
+    RegionForm form;
+    double distance;
+  };
+
+  FormError worst_known(const Candidate& candidate, const RegionForm& form) const;
+  std::vector<Provenance::Source> best_known(const Candidate& candidate, const RegionForm& form) const;
+  Surface described(std::uint32_t number) const;
+  std::vector<RegionForm> region_forms() const;
+  Grouping::Groups groups_by_rounding();
+  Grouping::Groups groups_by_hand(std::span<const Replacement> replacements, WeldReport& report);
+  std::vector<LeafFaces> faces(std::span<const Replacement> replacements,
+                               std::vector<Provenance::Source>& one_source) const;
+  double distance(const Member& a, const Member& b, const Region& region);
+  void weld_groups(const Grouping::Groups& groups, std::vector<Replacement>& replacements, WeldReport& report);
+  void weld_group(std::span<const std::uint32_t> numbers, std::vector<Replacement>& replacements, WeldReport& report);
+  void gather(const Member& leader, const Region& region, std::vector<Member> members,
+              std::vector<Replacement>& replacements, WeldReport& report);
+  static bool precedes(const Surface& a, const Surface& b);
+  void list_near_misses(std::span<const Replacement> replacements, WeldReport& report);
+
+  const Provenance& provenance_;
+  Welding welding_;
+  bool has_size_;
+  Box everything_;
+  Region region_;
+  bool by_hand_ = false;  // what distance() goes by now
+  double tolerance_ = 0;  // of by_hand, in the scene's unit of length
+  std::span<const Candidate> candidates_;
+  NearPairs near_;
+  std::uint64_t work_ = 0;
+  std::uint64_t most_work_ = 0;
+};
+
+}  // namespace csgcast::detail

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/surface/detail/exact_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace csgcast::detail {
+namespace {
+
+using Form = QuadricForm;
+
+int sign_of_sum(const Dyadic& a, const Dyadic& b) { return (a + b).sign(); }
+
+Dyadic signed_square(const Dyadic& a) { return a.sign() < 0 ? -(a * a) : a * a; }
+
+// The sign of x + y sqrt(d), d >= 0: by comparing squares where the terms pull apart.
+int sign_with_root(const Dyadic& x, const Dyadic& y, const Dyadic& d) {
+  const int sx = x.sign();
+  const int sy = d.is_zero() ? 0 : y.sign();
+  if (sx == 0 || sy == 0 || sx == sy) return sx != 0 ? sx : sy;
+  return sign_of_sum(signed_square(x), signed_square(y) * d);
+}
+
+// The sign of x + y sqrt(d) + z sqrt(e), d, e >= 0.
+int sign_with_roots(const Dyadic& x, const Dyadic& y, const Dyadic& d, const Dyadic& z, const Dyadic& e) {
+  if (e.is_zero() || z.is_zero()) return sign_with_root(x, y, d);
+  if (d.is_zero() || y.is_zero()) return sign_with_root(x, z, e);
+  // r = y sqrt(d) + z sqrt(e), its sign by squares; then x against r: x² - r² = (x² - y² d - z² e) - 2 y z sqrt(d e).
+  const Dyadic yyd = y * y * d;
+  const Dyadic zze = z * z * e;
+  const int sr = y.sign() == z.sign() ? y.sign() : y.sign() * (yyd - zze).sign();
+  const int sx = x.sign();
+  if (sx == 0 || sr == 0 || sx == sr) return sx != 0 ? sx : sr;
+  const Dyadic two(2.0);
+  return sx * sign_with_root(x * x - yyd - zze, -two * y * z, d * e);
+}
+
+// floor(sqrt(value)) in units that leave at least `bits` significant bits.
+Dyadic square_root(const Dyadic& value, std::int64_t bits) {
+  if (value.is_zero()) return {};
+  std::int64_t shift = 2 * bits - static_cast<std::int64_t>(value.bits());
+  if (shift < 0) shift = 0;
+  if ((value.exponent() - shift) % 2 != 0) ++shift;
+  mpz_class scaled = value.mantissa() << static_cast<mp_bitcnt_t>(shift);
+  return {sqrt(scaled), (value.exponent() - shift) / 2};
+}
+
+// a / b cut off after at least `bits` bits.
+Dyadic quotient(const Dyadic& a, const Dyadic& b, std::int64_t bits) {
+  if (a.is_zero()) return {};
+  const std::int64_t wanted = bits + static_cast<std::int64_t>(b.bits()) - static_cast<std::int64_t>(a.bits());
+  const std::int64_t shift = wanted > 0 ? wanted : 0;
+  const mpz_class numerator = a.mantissa() << static_cast<mp_bitcnt_t>(shift);
+  return {mpz_class(numerator / b.mantissa()), a.exponent() - b.exponent() - shift};
+}
+
+constexpr std::int64_t approximation_bits = 128;
+
+// The root to a relative 2^-120: p and the square root may cancel, so they are summed the other way round where they
+// would.
+Dyadic approximate(const ExactRoot& root, const ExactPolynomial& f) {
+  const Dyadic radical = square_root(root.d, approximation_bits + 8);
+  const Dyadic signed_radical = root.s < 0 ? -radical : root.s == 0 ? Dyadic() : radical;
+  if (root.s == 0 || root.p.sign() == 0 || root.p.sign() == root.s)
+    return quotient(root.p + signed_radical, root.q, approximation_bits);
+  // (p + r)(p - r) = p² - d, and for the roots of a t² + b t + c that is 4 a c.
+  return quotient(Dyadic(2.0) * f.c, root.p - signed_radical, approximation_bits);
+}
+
+// tau of a t, rounded: the error is half an ulp of tau and what is cut off of t.
+void set_tau(const Line& line, LineCrossings& found, unsigned index, const Dyadic& t) {
+  const LineFrame& frame = line.in_frame;
+  const Dyadic along = t.scaled(-std::int64_t{std::ilogb(frame.unit)});
+  constexpr double most = std::numeric_limits<double>::max();
+  const double tau =
+      std::clamp((along - Dyadic(frame.shift)).nearest(), -most, most);  // beyond it the error below is infinite
+  found.tau[index] = tau;
+  const double error = 0x1p-52 * std::fabs(tau) + 0x1p-110 * std::fabs(along.nearest()) + 0x1p-1000;
+  found.error = std::fmax(found.error, error);
+}
+
+ExactMemory& memory_of(const Line& line, ExactMemory& scratch) {
+  return line.memory != nullptr ? line.memory->state() : scratch;
+}
+
+}  // namespace
+
+ExactPolynomial::ExactPolynomial(const Line& line, SurfaceId id, const Surface& surface) {
+  const QuadricForm form = surface.exact.unpacked();
+  const auto& k = form.coefficient;
+  const Point o = line.ray.origin();
+  const Vector d = line.ray.direction();
+  const Dyadic x(o.x);
+  const Dyadic y(o.y);
+  const Dyadic z(o.z);
+  const Dyadic dx(d.x);
+  const Dyadic dy(d.y);
+  const Dyadic dz(d.z);
+  const Dyadic two(2.0);
+  if (surface.kind == SurfaceKind::quadric) {
+    a = (k[Form::xx] * dx + k[Form::xy] * dy + k[Form::xz] * dz) * dx + (k[Form::yy] * dy + k[Form::yz] * dz) * dy +
+        k[Form::zz] * dz * dz;
+    b = (two * k[Form::xx] * x + k[Form::xy] * y + k[Form::xz] * z) * dx +
+        (two * k[Form::yy] * y + k[Form::xy] * x + k[Form::yz] * z) * dy +
+        (two * k[Form::zz] * z + k[Form::xz] * x + k[Form::yz] * y) * dz;
+  }
+  b += k[Form::x] * dx + k[Form::y] * dy + k[Form::z] * dz;
+  if (id == line.departure) {
+    c = std::exchange(b, std::exchange(a, Dyadic()));
+    return;
+  }
+  c = form.at(o);
+}
+
+ExactRoot::ExactRoot(const ExactPolynomial& f, unsigned root) {
+  if (f.a.is_zero()) {
+    p = -f.c;
+    q = f.b;
+    return;
+  }
+  p = -f.b;
+  q = Dyadic(2.0) * f.a;
+  d = f.b * f.b - Dyadic(4.0) * f.a * f.c;
+  s = (root == 0) == (f.a.sign() > 0) ? -1 : 1;
+}
+
+// a - b = ((pa qb - pb qa) + sa qb sqrt(da) - sb qa sqrt(db)) / (qa qb)
+std::strong_ordering operator<=>(const ExactRoot& a, const ExactRoot& b) {
+  const Dyadic sa(static_cast<double>(a.s));
+  const Dyadic sb(static_cast<double>(-b.s));
+  const int sign = sign_with_roots(a.p * b.q - b.p * a.q, sa * b.q, a.d, sb * a.q, b.d);
+  return sign * a.q.sign() * b.q.sign() <=> 0;
+}
+
+ExactMemory::Known& ExactMemory::known(const Line& line, SurfaceId id, const Surface& surface) {
+  const std::size_t index = id.index();
+  if (index >= place_.size()) place_.resize(index + 1);
+  std::uint32_t& place = place_[index];
+  if (place < known_.size() && known_[place].id == id) return known_[place];
+  place = static_cast<std::uint32_t>(known_.size());
+  return known_.emplace_back(Known{id, ExactPolynomial(line, id, surface), {}});
+}
+
+const ExactPolynomial& ExactMemory::polynomial(const Line& line, SurfaceId id, const Surface& surface) {
+  return known(line, id, surface).polynomial;
+}
+
+const ExactRoot& ExactMemory::root(const Line& line, SurfaceId id, const Surface& surface, unsigned root) {
+  Known& entry = known(line, id, surface);
+  std::optional<ExactRoot>& known_root = entry.roots[root];
+  if (!known_root) known_root.emplace(entry.polynomial, root);
+  return *known_root;
+}
+
+LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& surface) {
+  ExactMemory scratch;
+  ExactMemory& memory = memory_of(line, scratch);
+  const ExactPolynomial& f = memory.polynomial(line, id, surface);
+  LineCrossings found;
+  if (id == line.departure) {
+    // f / t = b t + c: after the start f keeps the departure's side up to a crossing if that is not its side in the
+    // end. At a silhouette the crossing may come out before the start: then it is at the start.
+    // Where f is linear on the line, its slope alone tells the side; it has none where the line lies in a plane.
+    const bool positive = line.departure_side == Sense::positive;
+    const bool is_linear = f.b.is_zero();
+    found.positive_before = is_linear && !f.c.is_zero() ? f.c.sign() > 0 : positive;
+    if (is_linear || (f.b.sign() > 0) == positive) return found;
+    found.count = 1;
+    set_tau(line, found, 0, f.b.sign() * f.c.sign() < 0 ? approximate(ExactRoot(f, 0), f) : Dyadic());
+    return found;
+  }
+  if (f.a.is_zero()) {
+    found.positive_before = f.b.is_zero() ? f.c.sign() >= 0 : f.b.sign() < 0;
+    if (f.b.is_zero()) return found;
+    found.count = 1;
+    set_tau(line, found, 0, approximate(ExactRoot(f, 0), f));
+    return found;
+  }
+  found.positive_before = f.a.sign() > 0;
+  const ExactRoot& lower = memory.root(line, id, surface, 0);
+  if (lower.d.sign() <= 0) return found;
+  found.count = 2;
+  set_tau(line, found, 0, approximate(lower, f));
+  set_tau(line, found, 1, approximate(memory.root(line, id, surface, 1), f));
+  return found;
+}
+
+ExactRoot exact_root(const Line& line, const CrossingView& crossing) {
+  ExactMemory scratch;
+  ExactMemory& memory = memory_of(line, scratch);
+  const ExactPolynomial& f = memory.polynomial(line, crossing.id, *crossing.surface);
+  if (crossing.id == line.departure && !(f.b.sign() * f.c.sign() < 0)) return ExactRoot(Dyadic());
+  // A crossing whose partner is out of reach is the only one that floating point tells of.
+  unsigned root = crossing.root;
+  if (crossing.found->count == 1 && !f.a.is_zero()) root = crossing.found->positive_before == (f.a.sign() > 0) ? 0 : 1;
+  return memory.root(line, crossing.id, *crossing.surface, root);
+}
+
+double exact_nearest_t(const Line& line, const CrossingView& crossing) {
+  ExactMemory scratch;
+  const ExactPolynomial& f = memory_of(line, scratch).polynomial(line, crossing.id, *crossing.surface);
+  const ExactRoot root = exact_root(line, crossing);
+  const Dyadic t = approximate(root, f);
+  const Dyadic slack = t.scaled(-112);  // well above the 2^-120 that the approximation is off by
+  const double low = (t - slack).nearest();
+  const double high = (t + slack).nearest();
+  if (low == high) return low;
+  // A point halfway between two doubles lies within the slack: the exact root is compared with it.
+  const Dyadic halfway = (Dyadic(low) + Dyadic(high)).scaled(-1);
+  const auto side = root <=> ExactRoot(halfway);
+  if (side == 0) return halfway.nearest();
+  return side < 0 ? std::fmin(low, high) : std::fmax(low, high);
+}
+
+}  // namespace csgcast::detail

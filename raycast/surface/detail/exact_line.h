@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "csg/exact/dyadic.h"
+#include "raycast/surface/predicates.h"
+
+namespace csgcast::detail {
+
+/// f(o + t d) = a t² + b t + c, exact up to a positive factor. Of the surface that a line departs from f(o) is 0 by
+/// definition, and the crossing at the start is divided out: a t + b, as 0 t² + a t + b.
+struct ExactPolynomial {
+  Dyadic a;
+  Dyadic b;
+  Dyadic c;
+
+  ExactPolynomial(const Line& line, SurfaceId id, const Surface& surface);
+};
+
+/// The last rung of the ladder: (p + s sqrt(d)) / q with integers (times powers of two) p, q, d >= 0 and s = -1, 0
+/// or 1.
+struct ExactRoot {
+  Dyadic p;
+  Dyadic q;
+  Dyadic d;
+  int s = 0;
+
+  /// Root 0 is the lower one. Precondition: the polynomial has that root.
+  ExactRoot(const ExactPolynomial& f, unsigned root);
+  explicit ExactRoot(const Dyadic& value) : p(value), q(1.0) {}
+};
+
+std::strong_ordering operator<=>(const ExactRoot& a, const ExactRoot& b);
+
+/// Polynomials and roots of one line, by surface.
+class ExactMemory {
+ public:
+  void forget() { known_.clear(); }
+
+  const ExactPolynomial& polynomial(const Line& line, SurfaceId id, const Surface& surface);
+  /// Precondition: the polynomial has that root.
+  const ExactRoot& root(const Line& line, SurfaceId id, const Surface& surface, unsigned root);
+
+ private:
+  struct Known {
+    SurfaceId id;
+    ExactPolynomial polynomial;
+    std::array<std::optional<ExactRoot>, 2> roots;
+  };
+  Known& known(const Line& line, SurfaceId id, const Surface& surface);
+
+  std::deque<Known> known_;           // of the present line
+  std::vector<std::uint32_t> place_;  // by surface: where it is in known_, if it is there
+};
+
+LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& surface);
+/// The t of a crossing, correctly rounded: the nearest double, ties to even.
+double exact_nearest_t(const Line& line, const CrossingView& crossing);
+/// The exact root of a crossing.
+ExactRoot exact_root(const Line& line, const CrossingView& crossing);
+
+}  // namespace csgcast::detail
+
+struct csgcast::LineMemory::State : csgcast::detail::ExactMemory {};

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "raycast/surface/predicates.h"
+
+namespace csgcast::detail {
+
+/// No crossing: the whole line is on one side.
+inline LineCrossings none(bool positive) {
+  LineCrossings found;
+  found.positive_before = positive;
+  return found;
+}
+
+/// One crossing, its error still to be set.
+inline LineCrossings one(double tau, bool positive_before) {
+  LineCrossings found = none(positive_before);
+  found.tau[0] = tau;
+  found.count = 1;
+  return found;
+}
+
+}  // namespace csgcast::detail

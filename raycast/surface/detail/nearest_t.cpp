@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/surface/detail/nearest_t.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "raycast/surface/detail/exact_line.h"
+#include "raycast/surface/detail/twofold_line.h"
+
+namespace csgcast::detail {
+namespace {
+
+using Form = QuadricForm;
+constexpr double u = 0x1p-53;
+
+using Point2 = std::array<Twofold, 3>;
+
+// The point at tau, from the surface's center.
+Point2 point_at(const LineFrame& line, const Surface& surface, double tau) {
+  Point2 q;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Twofold start = Twofold{line.near[axis], line.near_low[axis]} + two_sum(-surface.center[axis], 0);
+    q[axis] = start + two_product(tau, line.direction[axis]);
+  }
+  return q;
+}
+
+// f(q); coefficients that are zero cost nothing.
+Twofold value_at(const Surface& surface, const Point2& q) {
+  const auto coefficient = [&](std::size_t i) { return Twofold{surface.local[i], surface.local_low[i]}; };
+  Twofold sum = coefficient(Form::one);
+  const auto add = [&](std::size_t i, auto&& factor) {
+    if (surface.local[i] != 0) sum = sum + coefficient(i) * factor();
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) add(Form::x + axis, [&] { return q[axis]; });
+  if (surface.kind == SurfaceKind::plane) return sum;
+  for (std::size_t axis = 0; axis < 3; ++axis) add(Form::xx + axis, [&] { return q[axis] * q[axis]; });
+  add(Form::xy, [&] { return q[0] * q[1]; });
+  add(Form::xz, [&] { return q[0] * q[2]; });
+  add(Form::yz, [&] { return q[1] * q[2]; });
+  return sum;
+}
+
+// f'(tau), in double.
+double slope_at(const LineFrame& line, const Surface& surface, const Point2& q) {
+  const auto& c = surface.local;
+  const Vector p{q[0].high, q[1].high, q[2].high};
+  const Vector gradient{2 * c[Form::xx] * p.x + c[Form::xy] * p.y + c[Form::xz] * p.z + c[Form::x],
+                        2 * c[Form::yy] * p.y + c[Form::xy] * p.x + c[Form::yz] * p.z + c[Form::y],
+                        2 * c[Form::zz] * p.z + c[Form::xz] * p.x + c[Form::yz] * p.y + c[Form::z]};
+  return dot(gradient, line.direction);
+}
+
+// shift + tau + step rounded, if every number within `error` of it rounds the same; then times the unit, which is
+// exact.
+std::optional<double> rounded(const LineFrame& line, double tau, double step, double error) {
+  const Twofold base = two_sum(line.shift, tau);
+  const Twofold sum = two_sum(base.high, step);
+  const double low = base.low + sum.low;
+  const double slack = error + 2 * u * std::fabs(low) + 0x1p-1000;
+  const double below = sum.high + (low - slack);
+  const double above = sum.high + (low + slack);
+  const double t = below * line.unit;
+  const bool scales_exactly = std::fabs(t) > 0x1p-1000 || t == 0;  // no subnormal number
+  if (below == above && scales_exactly && std::isfinite(t)) return t;
+  return std::nullopt;
+}
+
+std::optional<double> newton(const LineFrame& line, const CrossingView& crossing) {
+  const Surface& surface = *crossing.surface;
+  const double tau = crossing.tau();
+  const Point2 q = point_at(line, surface, tau);
+  const Twofold value = value_at(surface, q);
+  const double slope = slope_at(line, surface, q);
+  const double step = -value.high / slope;
+
+  const double size = std::max({std::fabs(q[0].high), std::fabs(q[1].high), std::fabs(q[2].high)});
+  const double e = longest(line.direction);
+  const double bend = surface.second_degree;
+  const double steepness = 2 * bend * size + surface.first_degree;
+  // Two twofold sums and a product make q; up to ten products of three factors and ten sums make f, below 64 u² of the
+  // sum of magnitudes; taking the high part alone loses u of the value.
+  const double off =
+      line.near_low_error + 16 * u * u * (longest(line.near) + longest(surface.center) + std::fabs(tau) * e);
+  const double value_error =
+      64 * u * u * ((bend * size + surface.first_degree) * size + surface.constant) + steepness * off;
+  // Relative errors of the slope and of the division, and the curvature that one Newton step leaves out.
+  const double slope_error = 8 * u * steepness * e;
+  if (!(4 * slope_error < std::fabs(slope))) return std::nullopt;
+  // A quadratic rises at one of its roots and falls at the other. A step that is short beside the bend leads to the one
+  // that goes as the slope does: where both are near each other that may be the wrong one.
+  const bool rises = !crossing.found->positive_after(crossing.root);
+  const double most = std::fabs(value.high) + value_error;
+  if ((slope > 0) != rises || !(8 * bend * e * e * most <= slope * slope)) return std::nullopt;
+  const double curvature = bend * e * e * step * step;
+  const double error =
+      2 * (value_error + curvature + std::fabs(step) * slope_error + 4 * u * std::fabs(value.high)) / std::fabs(slope);
+  return rounded(line, tau, step, error);
+}
+
+}  // namespace
+
+double nearest_t(const Line& line, const CrossingView& crossing, ExactCalls& calls) {
+  // A departure's form is another one; there is no need for speed.
+  const bool plain = crossing.id != line.departure && crossing.surface->in_range && line.in_frame.in_range;
+  if (plain) {
+    if (const std::optional<double> t = newton(line.in_frame, crossing)) return *t;
+    if (const std::optional<TwofoldRoot> root = twofold_root(line.in_frame, crossing)) {
+      if (const std::optional<double> t = rounded(line.in_frame, root->tau.high, root->tau.low, root->error)) return *t;
+    }
+  }
+  ++calls.rounding;
+  return exact_nearest_t(line, crossing);
+}
+
+}  // namespace csgcast::detail

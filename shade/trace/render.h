@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "raycast/ray/caster.h"
+#include "raycast/scene/scene.h"
+#include "shade/film/film.h"
+#include "shade/film/view.h"
+#include "shade/trace/report.h"
+
+namespace csgcast {
+
+/// What a picture shows.
+enum class Mode : std::uint8_t {
+  shaded,  ///< light: shade/light/phong.h and shade/trace/tracer.h
+  edges,   ///< a line drawing on pale shading
+  xray,    ///< how long each ray is inside the solid
+  depth,   ///< how far the first boundary is from the eye (for parallel cameras: from the plane of the eye)
+  normal,  ///< which way the first boundary faces, towards the viewer
+  id,      ///< which leaf the first boundary belongs to
+};
+
+/// What the film of a mode holds.
+FilmContent content(Mode mode);
+
+/// How rays are traced. The picture is the same, bit for bit.
+enum class Engine : std::uint8_t {
+  packets,  ///< many at once, where that is possible
+  scalar,   ///< one by one: the definition
+};
+
+/// Which pixels of a shaded picture get all their samples.
+enum class Sampling : std::uint8_t {
+  regular,   ///< all
+  adaptive,  ///< those that do not look like the pixels around them, the same bit for bit as with regular sampling. The
+             ///< others get one sample, at their centre: docs/shading.md
+};
+
+struct RenderOptions {
+  int width = 800;
+  int height = 600;
+  int samples = 1;  ///< rays a pixel, rounded up to a square number k²: a regular k x k grid, averaged; depth, normal
+                    ///< and id always take 1
+  Sampling sampling = Sampling::regular;
+  Mode mode = Mode::shaded;
+  Engine engine = Engine::packets;
+  /// What packets are made for: one of PacketCaster::instruction_sets(); by default the best. The picture is the same.
+  std::string instructions;
+  int threads = 0;  ///< 0: all cores
+  /// Called now and then with the share done, ascending in [0, 1], by one thread at a time; what it throws ends the
+  /// render.
+  std::function<void(double done)> progress{};
+};
+
+/// A picture, the same bit for bit on any number of threads. Throws Error(limit) for a size or number of samples that
+/// is not positive or too large (65,536 pixels a side, 2^27 in all, 1,024 samples), Error(bad_value) for a view that no
+/// camera has, Error(usage) for adaptive samples in a mode other than shaded, or instructions that the machine does not
+/// have. Adds to *report if it is not null.
+Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report = nullptr);
+
+/// The tree of rays of one pixel's centre as indented text, a line for each ray: kind, weight, t and place of the hit,
+/// what it brings. Pixel (0, 0) is the top left one; throws Error(usage) for one outside the picture, and for modes
+/// other than shaded.
+std::string trace_pixel(const Scene& scene, const View& view, const RenderOptions& options, int x, int y);
+
+}  // namespace csgcast
