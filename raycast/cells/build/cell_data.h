@@ -13,10 +13,6 @@
 
 namespace csgcast::detail {
 
-/// How much wider than itself a cell is taken to be when it is decided which surfaces cross it, in units of the frame.
-/// What rounding may move along a ray (`greatest_slack`, twice, at the speed of less than 2 on an axis) and the
-/// coordinates (below 2^-48) is far less.
-constexpr double cell_margin = 0x1p-28;
 /// The most by which events in a cell may be off: rays with less certain ones are left to the caster.
 constexpr double greatest_slack = 0x1p-32;
 
