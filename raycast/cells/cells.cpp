@@ -5,7 +5,9 @@
 
 #include "raycast/cells/build/box_tree.h"
 #include "raycast/cells/build/cell_builder.h"
+#include "raycast/cells/build/cell_ground.h"
 #include "raycast/cells/cells_data.h"
+#include "raycast/cells/formula/formula.h"
 
 namespace csgcast {
 
@@ -18,9 +20,9 @@ void bring_near(detail::CellData& data) {
 }
 
 detail::CellData cells_of(const Scene& scene, NodeId node) {
-  detail::CellGround ground(scene, node);
+  const detail::CellGround ground(scene, node);
   const detail::Formula whole = detail::formula_of(scene, node);
-  detail::CellData data = detail::CellBuilder(ground, scene.leaves().size()).build(node, whole);
+  detail::CellData data = detail::build_cells(ground, node, whole);
   detail::add_box_tree(ground, whole, data);
   bring_near(data);
   return data;

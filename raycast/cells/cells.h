@@ -8,12 +8,13 @@
 
 namespace csgcast {
 
-/// A scene's space, cut into cells with what the tree comes to in each: what makes rays fast (docs/architecture.md).
-/// Read-only once it is made; any number of threads may use it.
+/// A scene's space, cut into cells with what the tree comes to in each. They make rays fast (docs/architecture.md).
+/// Read-only once they are made; any number of threads may use them.
 class Cells {
  public:
-  /// Of the whole solid, or of one of its nodes. The scene must outlive the cells. Takes some 20 us a leaf, shared by
-  /// the threads that oneTBB has where it is called (tbb::task_arena); the cells do not depend on their number.
+  /// Makes the cells of the whole solid, or of one of its nodes. The scene must outlive them. It takes some 20 us a
+  /// leaf, shared by the threads that oneTBB has where it is called (tbb::task_arena). The cells do not depend on the
+  /// number of threads.
   explicit Cells(const Scene& scene) : Cells(scene, scene.root()) {}
   Cells(const Scene& scene, NodeId node);
   ~Cells();
@@ -23,17 +24,17 @@ class Cells {
   NodeId node() const { return node_; }
 
   struct Counts {
-    std::size_t nodes = 0;      ///< of the kd-tree, ends included
-    std::size_t cells = 0;      ///< that some surface crosses
-    std::size_t surfaces = 0;   ///< summed over these cells
+    std::size_t nodes = 0;      ///< nodes of the kd-tree, ends included
+    std::size_t cells = 0;      ///< cells that some surface crosses
+    std::size_t surfaces = 0;   ///< surfaces of these cells, summed over the cells
     std::size_t large = 0;      ///< cells with more surfaces than a table of truth values takes
     std::size_t undecided = 0;  ///< cells through which every ray is left to the caster
-    std::size_t boxed = 0;      ///< leaves, or intersections of some, in a hierarchy of boxes as well; 0: there is none
-    std::size_t bytes = 0;
+    std::size_t boxed = 0;      ///< leaves, or intersections of some, in a hierarchy of boxes; 0 if there is none
+    std::size_t bytes = 0;      ///< memory of all
   };
   Counts counts() const;
 
-  /// What the cells are, for those who cast packets (cells_data.h).
+  /// The cells themselves, for those who cast packets (cells_data.h).
   struct Data;
   const Data& data() const { return *data_; }
 

@@ -8,6 +8,7 @@
 
 namespace csgcast {
 
+/// The data of cells: a public header names the type, and only those who cast packets see what it is.
 struct Cells::Data : detail::CellData {
   explicit Data(detail::CellData&& data) : CellData(std::move(data)) {}
 };

@@ -18,29 +18,30 @@ struct Piece {
   static constexpr std::size_t most_surfaces = TruthTable::most_values;
 
   CellBox box;
-  std::uint32_t count = 0;                              ///< of the surfaces
+  std::uint32_t count = 0;                              ///< the number of surfaces
   std::array<std::uint32_t, most_surfaces> surfaces{};  ///< SurfaceId
-  /// Whether points are inside, by the signs of the surfaces: true is positive.
+  /// Tells if points are inside, by the signs of the surfaces: true is positive.
   TruthTable table;
-  /// What pieces are that more surfaces cross; then table and surfaces say nothing.
+  /// What is known of a piece that more surfaces cross; its table and surfaces say nothing. Null if there are no more.
   struct Crowd;
   std::shared_ptr<const Crowd> crowd;
 
   bool is_crowded() const { return crowd != nullptr; }
   bool is_constant() const { return crowd == nullptr && count == 0; }
-  bool value() const { return table.at(0); }  ///< precondition: constant
+  /// Precondition: the piece is constant.
+  bool value() const { return table.at(0); }
 };
 
-/// Cuts space into pieces; the working memory of one thread. The space must outlive it.
+/// Cuts a space, which must outlive this, into pieces. Working memory of one thread.
 class PieceCutter {
  public:
   explicit PieceCutter(const Space& space);
   ~PieceCutter();
   PieceCutter(PieceCutter&&) noexcept;
 
-  /// All of space. Precondition: it is bounded.
+  /// The whole space as one piece. Precondition: the space is bounded.
   Piece whole();
-  /// What is below and above a place on an axis, which lies within the piece's box.
+  /// The parts of a piece below and above a place on an axis. Precondition: the place lies within the piece's box.
   std::pair<Piece, Piece> cut(const Piece& piece, std::size_t axis, double at);
 
  private:

@@ -7,7 +7,7 @@
 
 #include "csg/base/transform.h"
 #include "csg/solid/primitives.h"
-#include "raycast/cells/build/cell_builder.h"
+#include "raycast/cells/build/cell_ground.h"
 #include "raycast/cells/cells.h"
 #include "raycast/cells/formula/implications.h"
 #include "raycast/packets/packet_caster.h"

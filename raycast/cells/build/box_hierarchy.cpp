@@ -22,7 +22,7 @@ BoxHierarchy::Plane BoxHierarchy::best_plane(const Range& range, std::size_t axi
     boxes[bin].add(items_[i].box);
     ++counts[bin];
   }
-  std::array<float, bins> below{};  // the cost of all bins before one
+  std::array<float, bins> below{};  // by bin: the cost of all bins before it
   FloatBox box = no_box;
   std::size_t count = 0;
   for (std::size_t bin = 0; bin + 1 < bins; ++bin) {
@@ -60,7 +60,7 @@ std::size_t BoxHierarchy::halve(const Range& range) {
     const Plane plane = best_plane(range, axis, low[axis], scale[axis]);
     if (plane.cost < best.cost) best = plane;
   }
-  if (best.bin == 0) return range.begin + range.size() / 2;  // all in one place
+  if (best.bin == 0) return range.begin + range.size() / 2;  // all items lie in one place
   const auto first = items_.begin() + static_cast<std::ptrdiff_t>(range.begin);
   const auto last = items_.begin() + static_cast<std::ptrdiff_t>(range.end);
   const auto second = std::stable_partition(first, last, [&](const BoxedItem& item) {
@@ -86,7 +86,7 @@ float BoxHierarchy::cost_of_halves(const Branch& branch, std::size_t places, std
   return branches_[branch.halves].costs[for_first - 1] + branches_[branch.halves + 1].costs[places - for_first - 1];
 }
 
-// How many of some places the first half should get.
+// Of the places that a branch gets, the number that its first half should get.
 std::size_t BoxHierarchy::best_share(const Branch& branch, std::size_t places) const {
   std::size_t best = 1;
   for (std::size_t share = 2; share < places; ++share) {
@@ -95,7 +95,7 @@ std::size_t BoxHierarchy::best_share(const Branch& branch, std::size_t places) c
   return best;
 }
 
-// Those of its halves are known.
+// Sets the costs of a branch from those of its halves.
 void BoxHierarchy::set_costs(Branch& branch) const {
   if (branch.halves == 0) return;
   const auto cost_in = [&](std::size_t places) { return cost_of_halves(branch, places, best_share(branch, places)); };
@@ -104,7 +104,7 @@ void BoxHierarchy::set_costs(Branch& branch) const {
     branch.costs[places - 1] = std::min(branch.costs[places - 2], cost_in(places));
 }
 
-// What the places of a node should hold of a branch, at most so many. Not deep: each time there are fewer places.
+// Chooses what of a branch some places of a node should hold. The recursion is not deep: each call gets fewer places.
 void BoxHierarchy::choose(std::uint32_t index, std::size_t places, Chosen& chosen, std::size_t& count) const {
   const Branch& branch = branches_[index];
   while (places > 1 && branch.costs[places - 1] == branch.costs[places - 2]) --places;
@@ -160,7 +160,7 @@ void BoxHierarchy::make_nodes() {
 
 void BoxHierarchy::build() {
   make_branches();
-  // Halves come behind what they are halves of.
+  // Halves come behind the branch that they are halves of, so from the back they are known first.
   for (std::size_t i = branches_.size(); i-- > 0;) set_costs(branches_[i]);
   make_nodes();
 }

@@ -30,25 +30,28 @@ struct FloatBox {
   }
 };
 
-/// Beyond every coordinate, with a lower side above the upper one.
+/// No box: its lower sides are beyond every coordinate, and above its upper ones.
 inline constexpr FloatBox no_box{{1000, 1000, 1000}, {-1000, -1000, -1000}};
 
-/// A conjunction while the hierarchy is made.
+/// A conjunction in the hierarchy while that is made.
 struct BoxedItem {
   FloatBox box;
   std::uint32_t index = 0;
 
+  /// Twice the middle of the box.
   float middle(std::size_t axis) const { return box.lower[axis] + box.upper[axis]; }
 };
 
-/// A hierarchy of boxes: halved by the surface area heuristic, and of the halves those are joined to nodes of eight
-/// that let lines meet the fewest nodes.
+/// Makes a hierarchy of boxes: a binary one by the surface area heuristic, of which parts are then joined to nodes of
+/// eight, so that lines meet as few nodes as possible.
 class BoxHierarchy {
  public:
+  /// The nodes are added to `nodes`, which is empty and must outlive this. Precondition: there are items.
   BoxHierarchy(std::vector<BoxedItem> items, std::vector<BoxNode>& nodes) : items_(std::move(items)), nodes_(nodes) {}
 
   void build();
-  /// What the children count: in this order conjunctions that lie next to each other are near in memory.
+  /// The items in the order in which the nodes' children number them: those that lie next to each other are near in
+  /// memory then.
   const std::vector<BoxedItem>& order() const { return items_; }
 
  private:
@@ -58,11 +61,11 @@ class BoxHierarchy {
 
     std::size_t size() const { return end - begin; }
   };
-  // Of the binary tree: its two halves lie side by side, behind it.
+  // A node of the binary hierarchy. Its two halves lie side by side, behind it.
   struct Branch {
     Range range;
-    std::uint32_t halves = 0;  // none: one item
-    // [i]: the area of all nodes below, if at most i + 1 of a node's places hold what is here.
+    std::uint32_t halves = 0;  // the index of the first half; 0 if there is but one item
+    // costs[i] is the least area of all nodes below, if at most i + 1 places of a node hold what is here.
     std::array<float, BoxNode::width> costs{};
   };
   using Chosen = std::array<std::uint32_t, BoxNode::width>;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raycast/cells/build/box_hierarchy.h"
+#include "raycast/cells/build/cell_box.h"
 #include "raycast/cells/build/conjunctions.h"
 
 namespace csgcast::detail {
@@ -15,15 +16,15 @@ namespace {
 
 // With fewer conjunctions cells are as good.
 constexpr std::size_t fewest_conjunctions = 12;
-// What a line costs, in the units of CellData::cost: measured on unions of balls and of boxes, sparse and crowded, and
-// on plates with holes.
+// These are the costs of a line in the units of CellData::cost, measured on unions of balls and of boxes, sparse and
+// crowded, and on plates with holes.
 constexpr double cost_of_node = 1.5;
 constexpr double cost_of_axis_plane = 1;
 constexpr double cost_of_plane = 6;
 constexpr double cost_of_round = 4;
 constexpr double cost_of_quadric = 8;
 constexpr double cost_of_event = 1;
-// Boxes must be cheaper by so much.
+// Boxes must be cheaper than cells by this factor.
 constexpr double least_gain = 1.1;
 
 // Boxes are so much wider that neither their rounding nor that of rays in single precision loses any line.
@@ -36,14 +37,15 @@ double cost_of_test(LaneSurface::Kind kind) {
                                          : cost_of_quadric;
 }
 
-// Whose faces a surface makes.
+// The leaf whose faces a surface makes, and what they show.
 struct Owner {
   LeafId leaf;  // not valid if there are more
-  LookId look;  // not valid if it depends
+  LookId look;  // not valid if that depends on the place
   bool is_known = false;
 };
 
-// By surface. Conjunctions that hold nothing count: flipped in one of their leaves alone, the surface may make a face.
+// The owners by surface. Conjunctions that hold nothing count, too: a surface may make a face of one of their leaves
+// where its side changes for that leaf alone.
 std::vector<Owner> owners_of(const CellGround& ground, const Conjunctions& all) {
   const Scene& scene = ground.scene;
   const auto region_of = [&](const Conjunctions::Side& side) { return scene.leaf(side.leaf).region; };
@@ -68,7 +70,7 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
   constexpr std::uint32_t none = 0xffffffffu;
   BoxTree& tree = data.boxes;
   const std::vector<Owner> owners = owners_of(ground, all);
-  std::vector<std::uint32_t> first_side(owners.size(), none);  // that has the surface
+  std::vector<std::uint32_t> first_side(owners.size(), none);  // by surface: the first side that has it
   const auto add_side = [&](const Conjunctions::Side& from) {
     const std::size_t surface = from.surface.index();
     BoxedSide side{0, from.wants_positive, false};
@@ -76,7 +78,7 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
       first_side[surface] = static_cast<std::uint32_t>(tree.sides.size());
       side.slot = static_cast<std::uint32_t>(data.slots.size());
       LaneSurface shape = ground.surfaces[surface];
-      // What its form is off is bounded in cells.
+      // Only in a cell there is a bound of what its form is off.
       if (is_revolved(shape.kind)) shape.kind = LaneSurface::Kind::quadric;
       data.slots.emplace_back(shape, from.surface, owners[surface].leaf, owners[surface].look);
       tree.tolerance.allow_for(shape);
@@ -97,7 +99,7 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
   }
 }
 
-// Balls are told by their slots: lines find many of them side by side.
+// Makes children that are balls tell the slot of their sphere, so that lines compute many of them side by side.
 void mark_balls(const std::vector<Slot>& slots, BoxTree& tree) {
   if (slots.size() > BoxNode::most_slots) return;
   for (BoxNode& node : tree.nodes) {
@@ -146,14 +148,15 @@ void mark_bricks(const std::vector<Slot>& slots, BoxTree& tree) {
 std::optional<FloatBox> widened(const CellBox& box) {
   FloatBox result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (box.lower[axis] > box.upper[axis]) return std::nullopt;  // nothing of it can matter
+    if (box.lower[axis] > box.upper[axis]) return std::nullopt;  // there is nothing of it in the box
     result.lower[axis] = static_cast<float>(box.lower[axis] - widening);
     result.upper[axis] = static_cast<float>(box.upper[axis] + widening);
   }
   return result;
 }
 
-// Cauchy: of the lines through a convex body those that meet one in it are as many as their areas say.
+// The expected cost of the tests of a line that meets the box of everything. By Cauchy's formula the share of these
+// lines that meet a convex body in that box is the ratio of the two areas.
 double cost_of_tests(const CellGround& ground, const Conjunctions& all, const CellBox& everything,
                      std::span<const BoxedItem> items) {
   double cost = 0;
@@ -167,6 +170,7 @@ double cost_of_tests(const CellGround& ground, const Conjunctions& all, const Ce
   return cost;
 }
 
+// The expected cost of the nodes that such a line meets.
 double cost_of_nodes(std::span<const BoxNode> nodes, const CellBox& everything) {
   double met = 1;
   for (const BoxNode& node : nodes) {

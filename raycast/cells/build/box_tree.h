@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raycast/cells/build/cell_builder.h"
+#include "raycast/cells/build/cell_data.h"
+#include "raycast/cells/build/cell_ground.h"
+#include "raycast/cells/formula/formula.h"
 
 namespace csgcast::detail {
 
-/// Adds the hierarchy of boxes to the cells of a solid, if its formula is a bounded union of conjunctions less others,
-/// so many that it pays, and a line meets few of them.
+/// Adds the hierarchy of boxes, and slots for its surfaces, to the cells of a node. Does nothing unless `whole`, the
+/// node's formula, is a bounded union of conjunctions less others, and boxes promise to be cheaper than cells.
 void add_box_tree(const CellGround& ground, const Formula& whole, CellData& data);
 
 }  // namespace csgcast::detail

@@ -12,11 +12,11 @@ namespace {
 using Form = QuadricForm;
 using Row = CellAxes::Row;
 
-// Directions are meant to be square to each other up to this, which scenes written with six digits are,
+// Directions that are square to each other up to this are meant to be: scenes are written with six digits.
 constexpr long double nearly = 0x1p-13L;
-// and are up to this.
+// Directions that are square to each other up to this are taken to be.
 constexpr long double exactly = 0x1p-44L;
-// The axes must serve so many planes more than the frame's own do, and this share of all.
+// The axes must serve this many times the planes that the frame's own axes serve, and this share of all planes.
 constexpr double least_gain = 1.5;
 constexpr double least_share = 0.25;
 
@@ -32,7 +32,7 @@ Row cross(const Row& a, const Row& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// What is left of v square to a unit vector.
+// The direction of the part of v that is square to a unit vector.
 Row square_to(const Row& axis, Row v) {
   const long double along = dot(axis, v);
   for (std::size_t i = 0; i < 3; ++i) v[i] -= along * axis[i];
@@ -44,13 +44,13 @@ struct Direction {
   std::size_t count = 0;
 };
 
-// The normals of the planes, the most frequent first. Opposite ones are one.
+// The normals of the planes, the most frequent first. Opposite normals count as one.
 std::vector<Direction> normals_of(const Scene& scene) {
   std::map<std::array<std::int64_t, 3>, Direction> found;
   for (const Surface& surface : scene.surfaces()) {
     if (surface.kind != SurfaceKind::plane || !surface.in_range) continue;
     Row n = normalised({surface.local[Form::x], surface.local[Form::y], surface.local[Form::z]});
-    // The first coordinate that is not next to zero is positive.
+    // The normal is turned so that its first coordinate that is not next to zero is positive.
     const std::size_t leading = std::fabs(n[0]) > 0x1p-20L ? 0 : std::fabs(n[1]) > 0x1p-20L ? 1 : 2;
     if (n[leading] < 0) n = {-n[0], -n[1], -n[2]};
     std::array<std::int64_t, 3> key{};
@@ -65,6 +65,7 @@ std::vector<Direction> normals_of(const Scene& scene) {
   return sorted;
 }
 
+// The number of planes that are square to one of the axes.
 std::size_t served_by(const std::array<Row, 3>& axes, const std::vector<Direction>& directions) {
   std::size_t count = 0;
   for (const Direction& direction : directions) {
@@ -113,7 +114,7 @@ CellForm CellAxes::turned(const CellForm& form) const {
   result.c[Form::z] = linear.z;
   result.c[Form::one] = c[Form::one];
   result.center = turned(form.center);
-  // What is off 2^-58 of all, within 2 of the center.
+  // Coefficients are off by 2^-58 of all, and rounded; within 2 of the center the form is off by no more than this.
   double all = 0;
   for (std::size_t i = 0; i < Form::x; ++i) all += 4 * std::fabs(form.c[i]);
   for (std::size_t i = Form::x; i < Form::one; ++i) all += 2 * std::fabs(form.c[i]);

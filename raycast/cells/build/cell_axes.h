@@ -10,23 +10,30 @@
 
 namespace csgcast::detail {
 
-/// Three directions in the frame along which a scene's faces lie, unit and square to each other to 2^-60: in these
-/// axes boxes are boxes again.
+/// Three directions in the frame along which a scene's faces lie, unit and square to each other to 2^-60. Along them
+/// the sides of turned boxes are square to the axes again.
 struct CellAxes {
   using Row = std::array<long double, 3>;
 
   std::array<Row, 3> rows{};
 
+  /// The rows as doubles.
   std::array<Vector, 3> rounded() const;
-  /// A surface's form in these axes: each coefficient rounded, of what is off by less than 2^-58 of all.
+  /// A surface's form in these axes. Turning and rounding move each coefficient by less than 2^-58 of the sum of all;
+  /// the result's `off` bounds what that changes within a distance of 2 from the form's center.
   CellForm turned(const CellForm& form) const;
   Vector turned(Vector v) const;
-  /// The box in these axes that holds a box; all of space if that has an infinite side, nothing if it holds nothing.
+  /// The box in these axes that holds a box of the frame. It is all of space if that box has an infinite side, and
+  /// nothing (its lower sides above the upper ones) if that box is nothing.
   CellBox holding(const CellBox& box) const;
 };
 
-/// The directions that most planes of a bounded scene are square to; none if that are the frame's own axes, or hardly
-/// any plane has another's direction.
+/// The directions that most planes of a bounded scene are square to. Nothing if these are the frame's own axes, or if
+/// too few planes share a direction.
 std::optional<CellAxes> common_axes(const Scene& scene);
+
+/// True if a box is near enough to the frame for forms to be turned (CellAxes::turned). Only solids that half-spaces
+/// bound far beyond every bounded leaf are not.
+inline bool near_frame(const CellBox& box) { return longest(box.lower) <= 1 && longest(box.upper) <= 1; }
 
 }  // namespace csgcast::detail

@@ -13,98 +13,99 @@
 
 namespace csgcast::detail {
 
-/// How much wider than itself a cell is taken to be when it is decided which surfaces cross it, in units of the frame.
-/// What rounding may move along a ray (`greatest_slack`, twice, at the speed of less than 2 on an axis) and the
-/// coordinates (below 2^-48) is far less.
-constexpr double cell_margin = 0x1p-28;
-/// The most by which events in a cell may be off: rays with less certain ones are left to the caster.
+/// Events in a cell may be off by this much at most. Rays with less certain events are left to the caster.
 constexpr double greatest_slack = 0x1p-32;
 
-/// Slack that covers every sphere, and cylinder along an axis, whose discriminant is above its threshold.
+/// This slack covers the events of every sphere, and of every cylinder along an axis, whose discriminant is above its
+/// threshold.
 constexpr double round_slack = 0x1p-36;
 
-/// Slack that covers other quadrics about an axis where they are certain.
+/// This slack covers the certain events of other quadrics about an axis.
 constexpr double revolved_slack = 0x1p-33;
 
-/// A node of the kd-tree: the child below the split follows it.
+/// A node of the kd-tree. It is a split, which the child below it follows in the list of nodes, or an end.
 struct CellNode {
   static constexpr std::uint32_t no_axis = 3;
 
-  double split = 0;         ///< of an end the bits of its cell's first slot
-  std::uint32_t above = 0;  ///< the index of the other child; of an end its cell
-  std::uint32_t axis = no_axis;
+  double split = 0;              ///< the place of a split on its axis; in an end, the bits of its cell's first slot
+  std::uint32_t above = 0;       ///< the index of a split's child above it; in an end, the index of its cell
+  std::uint32_t axis = no_axis;  ///< the axis of a split; `no_axis` in an end
 
   bool is_end() const { return axis == no_axis; }
-  /// Of an end: told before its cell is in the cache.
+  /// The first slot of an end's cell: it is known here before the cell is in the cache.
   std::uint64_t first_slot() const { return std::bit_cast<std::uint64_t>(split); }
   void set_first_slot(std::uint64_t slot) { split = std::bit_cast<double>(slot); }
 };
 
-/// A surface that crosses a cell, and the face that it makes there: a line of the cache, next to the cell's others.
+/// A surface that crosses a cell, and the face that it makes there. A slot fills a line of the cache, and lies next to
+/// the other slots of its cell.
 struct alignas(64) Slot {
   Slot() = default;
   Slot(const LaneSurface& shape, SurfaceId id, LeafId owner, LookId face)
       : c(shape.c), surface(id.index()), leaf(owner.index()), look(face.index()), kind(shape.kind) {}
 
-  std::array<double, 6> c{};  ///< as of a LaneSurface
-  std::uint32_t surface = 0;
-  std::uint32_t leaf = 0;  ///< the only one that owns the surface in the cell; not valid if there are more
-  std::uint32_t look = 0;  ///< what every face on this surface shows in the cell; not valid if that depends
+  std::array<double, 6> c{};  ///< the numbers of the LaneSurface
+  std::uint32_t surface = 0;  ///< SurfaceId
+  std::uint32_t leaf = 0;  ///< LeafId of the only leaf that owns the surface in the cell; not valid if there are more
+  std::uint32_t look = 0;  ///< LookId that every face on the surface shows in the cell; not valid if that depends
   LaneSurface::Kind kind = LaneSurface::Kind::undecided;
 };
 
-/// One step of the value of a formula over more surfaces than a table holds.
+/// One step of computing a formula over more surfaces than a table holds. Steps are in postfix order: a leaf brings a
+/// value, an operator joins the last two (`complement` changes the last one).
 struct Step {
   enum class Op : std::uint8_t { leaf, unite, intersect, subtract, complement };
   Op op = Op::leaf;
-  std::uint64_t mask = 0;  ///< of a leaf: the slots of its half-spaces
-  std::uint64_t want = 0;  ///< and those whose positive side they take
+  std::uint64_t mask = 0;  ///< a leaf's half-spaces: a bit for the slot of each
+  std::uint64_t want = 0;  ///< the bits of those that are the positive side of their surface
 };
 
-/// A part of space with what the tree comes to there: bit i of a state says that slot i's surface is positive. Half a
+/// A part of space with what the solid comes to there, as a function of the state of the surfaces that cross it: bit i
+/// of a state says that the surface of the i-th slot is positive. Slots with planes come first. A cell fills half a
 /// line of the cache.
 struct alignas(32) Cell {
-  static constexpr unsigned table_slots = 6;  ///< up to these many `table` is the value by state
-  static constexpr unsigned most_slots = 62;  ///< and beyond, `steps`; more cells hold none: `is_undecided`
+  static constexpr unsigned table_slots = 6;  ///< with up to this many slots `table` has the value of each state
+  static constexpr unsigned most_slots = 62;  ///< with up to this many there are steps; a cell with more `is_undecided`
 
-  static constexpr std::size_t most_operands = 32;  ///< that the steps may have waiting
+  static constexpr std::size_t most_operands = 32;  ///< steps leave at most this many values waiting to be joined
   static constexpr std::size_t most_steps = 0xfffe;
 
-  std::uint64_t table = 0;
-  Tolerance tolerance;  ///< of its surfaces
+  std::uint64_t table = 0;  ///< a bit for each state, unless there are steps
+  Tolerance tolerance;      ///< what the events of the cell's surfaces need
   std::uint32_t first_slot = 0;
   std::uint32_t first_step = 0;
   std::uint16_t step_count = 0;
   std::uint8_t slot_count = 0;
-  std::uint8_t plane_count = 0;       ///< the first slots, whose surfaces a line crosses but once
-  std::uint8_t axis_plane_count = 0;  ///< the first of these: square to an axis of the cells
-  bool is_undecided = false;          ///< rays through it are left to the caster
-  bool is_far = false;                ///< infinite, crossed by planes alone
+  std::uint8_t plane_count = 0;       ///< this many of the first slots are planes: a line crosses each but once
+  std::uint8_t axis_plane_count = 0;  ///< this many of the first planes are square to an axis of the cells
+  bool is_undecided = false;          ///< rays through the cell are left to the caster
+  bool is_far = false;                ///< the cell is infinite, and only planes cross it
 
-  bool value() const { return (table & 1) != 0; }  ///< of a cell that no surface crosses
+  /// The value of a cell that no surface crosses.
+  bool value() const { return (table & 1) != 0; }
 };
 static_assert(sizeof(Cell) == 32);
 
-/// By what lanes know how certain events with planes square to an axis of the cells are, and with cylinders along one
-/// (docs/accuracy.md, "Lanes").
+/// Bounds by which lanes know how certain an event with a plane square to an axis of the cells is, or with a cylinder
+/// along an axis (docs/accuracy.md, "Lanes").
 struct AxisBounds {
-  double slack = 96 * 0x1p-53;   ///< of a plane, times the axis' part of the direction
-  double guard = 128 * 0x1p-53;  ///< the distance from a plane below which its side is open
-  double steep = 0x1p-14;        ///< below this the square of the part across an axis makes a ray go along it
-  double off_axis = 0x1p-42;     ///< what a distance squared from an axis may be off, of rays along it
+  double slack = 96 * 0x1p-53;   ///< what an event with a plane is off, times the direction's part along the axis
+  double guard = 128 * 0x1p-53;  ///< a point closer to a plane than this is on neither side for certain
+  double steep = 0x1p-14;        ///< a ray goes along an axis if the square of its part across it is below this
+  double off_axis = 0x1p-42;     ///< what the squared distance of a ray along an axis from it may be off
 };
 
-/// Eight boxes side by side, rounded outward. There is none where the lower side is above the upper one.
+/// Eight boxes side by side, rounded outward. A place is vacant if its lower side is above the upper one.
 struct alignas(64) BoxNode {
   static constexpr std::size_t width = 8;
-  // Bits of `child`. Without any of them the rest is a node.
-  static constexpr std::uint32_t conjunction = 0x80000000u;  ///< the rest is the conjunction in the box
-  static constexpr std::uint32_t ball = 0xc0000000u;        ///< both: the rest is the slot of a sphere, whose inside is
-                                                            ///< the conjunction, and which no other one has
-  static constexpr std::uint32_t subtracted = 0x20000000u;  ///< and this: what is in the sphere is
-  static constexpr std::uint32_t most_slots = subtracted;
+  // The highest bits of a child say what its other bits are: without any of these, the index of a node below.
+  static constexpr std::uint32_t conjunction = 0x80000000u;  ///< the index of the conjunction in the box
+  static constexpr std::uint32_t ball = 0xc0000000u;  ///< the slot of a sphere: the conjunction is its inside, and
+                                                      ///< no other conjunction has the sphere
+  static constexpr std::uint32_t subtracted = 0x20000000u;  ///< a ball has this bit, too, if it is subtracted
+  static constexpr std::uint32_t most_slots = subtracted;   ///< only slots below this can be told by a child
 
-  float side[2][3][width];  ///< the lower ones, and the upper ones, by axis
+  float side[2][3][width];  ///< by lower (0) or upper (1), axis and place
   std::uint32_t child[width];
 };
 
@@ -115,18 +116,18 @@ struct BoxedSide {
   bool is_shared = false;  ///< other conjunctions have the surface, too
 };
 
-/// A leaf, or leaves that an intersection joins: sides [first, first + count).
+/// A leaf, or leaves that an intersection joins: it holds where its sides [first, first + count) do.
 struct Conjunction {
   static constexpr std::uint32_t no_brick = 0xffffffffu;
 
   std::uint32_t first = 0;
-  std::uint32_t brick = no_brick;  ///< what it is, if it is one
+  std::uint32_t brick = no_brick;  ///< the index of the brick that the conjunction is, if it is one
   std::uint16_t count = 0;
   bool is_subtracted = false;
 };
 
-/// A conjunction of two planes square to each axis of the cells, which no other one has. The fourth numbers are out of
-/// every line's way.
+/// A conjunction of two planes square to each axis of the cells, which no other conjunction has. The fourth numbers
+/// fill a lane, and are out of every line's way.
 struct alignas(32) Brick {
   double lower[4];
   double upper[4];
@@ -134,37 +135,37 @@ struct alignas(32) Brick {
   std::uint32_t upper_slot[3];
 };
 
-/// A solid that is a union of conjunctions less others, in a hierarchy of boxes: what rays ask who want to know all
-/// that they meet. A packet's lines gather the few conjunctions whose boxes they meet, and what the tree comes to along
-/// them is that of one cell with these (docs/architecture.md).
+/// A solid that is a union of conjunctions less others, in a hierarchy of boxes. Rays that want to know all that they
+/// meet ask it: a packet's lines gather the few conjunctions whose boxes they meet, and take them for the content of
+/// one cell (docs/architecture.md).
 struct BoxTree {
-  std::vector<BoxNode> nodes;  ///< none: the solid is not like that, or cells are better
+  std::vector<BoxNode> nodes;  ///< the root first; none if the solid is not such a union, or cells are better
   std::vector<Conjunction> conjunctions;
   std::vector<BoxedSide> sides;
   std::vector<Brick> bricks;
-  Tolerance tolerance;  ///< of all surfaces
+  Tolerance tolerance;  ///< what the events of all its surfaces need
 };
 
-/// Space in cells, in the frame's coordinates, turned.
+/// The space of a solid in cells, in the frame's coordinates, which may be turned.
 struct CellData {
-  bool is_turned = false;
-  std::array<Vector, 3> axes{};  ///< of the cells, in the frame, if turned: unit, square to each other but for rounding
+  bool is_turned = false;        ///< false: the axes of the cells are the frame's
+  std::array<Vector, 3> axes{};  ///< if turned, the axes in the frame: unit, square to each other but for rounding
   AxisBounds axis_bounds;
-  CellBox box{};          ///< beyond it there is nothing, unless `reaches_beyond`
-  Point middle;           ///< of the solid's box, unless `reaches_beyond`; in the scene's coordinates, or, if turned,
-                          ///< in its units along the axes, from the frame's center
-  Vector half_size;       ///< of that box, more than it is off
-  bool is_empty = false;  ///< there is nothing at all
-  bool reaches_beyond = false;
-  std::vector<CellNode> nodes;
-  std::vector<Cell> cells;
+  CellBox box{};                ///< there is nothing beyond it, unless the solid `reaches_beyond`
+  Point middle;                 ///< the middle of the solid's box, unless it `reaches_beyond`: in the scene's
+                                ///< coordinates or, if turned, in its units along the axes from the frame's center
+  Vector half_size;             ///< half the sides of that box, and more than rounding takes from them
+  bool is_empty = false;        ///< there is nothing at all
+  bool reaches_beyond = false;  ///< the solid is unbounded: cells fill all of space
+  std::vector<CellNode> nodes;  ///< the root first
+  std::vector<Cell> cells;      ///< the first two are the constants false and true
   std::vector<Slot> slots;
   std::vector<Step> steps;
-  double cost = 0;  ///< of a line through all its cells, in tests of a surface, as far as is expected; bounded ones
+  double cost = 0;  ///< what a line through all cells of a bounded solid is expected to cost, in tests of a surface
   BoxTree boxes;
-  std::array<bool, 3> has_cylinders{};  ///< along each axis of the frame
-  bool has_axis_planes = false;         ///< square to an axis
-  bool has_quadrics = false;            ///< spheres and others
+  std::array<bool, 3> has_cylinders{};  ///< by axis of the cells: some surface is a cylinder along it
+  bool has_axis_planes = false;         ///< some surface is a plane square to an axis of the cells
+  bool has_quadrics = false;            ///< some surface is not a plane
 };
 
 }  // namespace csgcast::detail

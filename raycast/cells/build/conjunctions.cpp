@@ -5,6 +5,9 @@
 #include <cmath>
 #include <span>
 
+#include "raycast/cells/build/cell_box.h"
+#include "raycast/cells/build/cell_data.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -12,12 +15,12 @@ namespace {
 struct Open {
   std::size_t end;
   Term::Op op;
-  bool is_top;  // nothing but differences above, whose first operand it is
+  bool is_top;  // it is the first operand of what is above, which is differences only
   bool is_subtracted;
   bool has_first;
 };
 
-// Adds a leaf to the last conjunction; false if lanes cannot take that.
+// Adds a leaf to the last conjunction; false if lanes cannot take the result.
 bool add_leaf(const CellGround& ground, std::span<const Term> leaf, Conjunctions& result) {
   const LeafId id(leaf.front().what);
   Conjunctions::Part& part = result.parts.back();
@@ -28,7 +31,7 @@ bool add_leaf(const CellGround& ground, std::span<const Term> leaf, Conjunctions
     const auto same =
         std::find_if(own.begin(), own.end(), [&](const auto& side) { return side.surface == term.surface(); });
     if (same != own.end()) {
-      // Of both sides there is nothing, but for a face without a thickness.
+      // Both sides share nothing but a face without a thickness.
       if (same->wants_positive != term.wants_positive()) part.box.upper.x = -HUGE_VAL;
       same->is_one = same->is_one && same->leaf == id;
       continue;
@@ -73,7 +76,7 @@ std::optional<Conjunctions> conjunctions_of(const CellGround& ground, const Form
                       : term.op == Term::Op::subtract ? own.is_top
                                                       : term.op == Term::Op::intersect;
     if (!fits) return std::nullopt;
-    // One intersection within another goes on with its conjunction.
+    // An intersection within another one adds to the same conjunction.
     if (term.op == Term::Op::intersect && !in_intersection) joins = false;
     open.push_back(own);
     ++i;

@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "raycast/cells/build/cell_builder.h"
+#include "raycast/cells/build/cell_ground.h"
+#include "raycast/cells/formula/formula.h"
 
 namespace csgcast::detail {
 
@@ -16,9 +17,9 @@ struct Conjunctions {
     bool wants_positive = false;
     bool is_one = true;  ///< no other leaf of the conjunction has the surface
   };
-  /// Sides [first, first + count).
+  /// One conjunction: it holds where its sides [first, first + count) do.
   struct Part {
-    CellBox box;  ///< holds it; with a lower side above the upper one if there is nothing of it
+    CellBox box;  ///< holds the conjunction; a lower side is above the upper one if that is empty
     std::uint32_t first = 0;
     std::uint16_t count = 0;
     bool is_subtracted = false;
@@ -28,8 +29,8 @@ struct Conjunctions {
   std::vector<Side> sides;
 };
 
-/// Nothing if the formula is not like that, or has a surface that lanes cannot compute. What lies outside `everything`
-/// does not matter.
+/// A formula as such a union, as far as it matters in the box `everything`. Nothing if the formula is not like that, or
+/// has a surface that lanes cannot compute.
 std::optional<Conjunctions> conjunctions_of(const CellGround& ground, const Formula& formula,
                                             const CellBox& everything);
 

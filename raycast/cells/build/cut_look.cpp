@@ -11,7 +11,7 @@ constexpr std::size_t most_entries = 128;
 }  // namespace
 
 HolderTree::HolderTree(const Scene& scene, NodeId root) {
-  // Nodes still to be laid out, and the entries whose operands they are.
+  // A node that is still to be laid out, and the entry whose operand it is.
   struct Open {
     NodeId node;
     std::size_t parent;
@@ -58,7 +58,7 @@ HolderTree::HolderTree(const Scene& scene, NodeId root) {
   is_small_ = true;
 }
 
-// Operands come after their operators: from the back, they are known first.
+// Sets the value of each entry. Operands come after their operators, so from the back they are known first.
 void HolderTree::evaluate(Search& search, const std::function<Known(LeafId)>& leaf) const {
   std::vector<Known>& value = search.value;
   value.assign(entries_.size(), Known::open);
@@ -89,8 +89,8 @@ void HolderTree::evaluate(Search& search, const std::function<Known(LeafId)>& le
   }
 }
 
-// The leaves that may hold a place inside the solid, and those that surely do. Whoever holds it has all operands of an
-// intersection hold it, and of a union those that are true there.
+// Gathers the leaves that may hold a place inside the solid, and marks those that surely do. If an intersection holds
+// the place, all its operands do; if a union does, those operands do that are true there.
 void HolderTree::gather(Search& search) const {
   search.candidates.clear();
   enum : std::uint8_t { out, maybe, sure };

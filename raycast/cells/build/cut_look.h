@@ -10,15 +10,12 @@
 
 namespace csgcast::detail {
 
-/// What a cut shows is the look of the first leaf, in file order, that holds the place and that nothing subtracts
-/// (Neighbourhood::holding_leaf). This is the part of a scene's tree that can hold places: no subtrahends.
+/// The part of a scene's tree that can hold places: it lacks what is subtracted. A cut shows the look of the first
+/// leaf, in file order, that holds the place and that nothing subtracts (Neighbourhood::holding_leaf).
 class HolderTree {
  public:
-  HolderTree() = default;
+  HolderTree() = default;  ///< for scenes without cuts: it knows nothing of them
   HolderTree(const Scene& scene, NodeId root);
-
-  /// Whether there are few enough leaves to look at all of them for each cell.
-  bool is_small() const { return is_small_; }
 
   /// Working memory of one thread.
   struct Search {
@@ -32,19 +29,20 @@ class HolderTree {
 
   /// What cuts show in some part of space.
   struct Shown {
-    bool is_one = false;       ///< every holder there looks the same
-    LookId look;               ///< then: how; not valid if there is none
-    bool may_be_none = false;  ///< some place may have no holder: a cut shows its region's look there
+    bool is_one = false;       ///< every holder there looks the same; false as well if there are too many to ask
+    LookId look;               ///< the look of all holders, if it is one; not valid if there is no holder
+    bool may_be_none = false;  ///< some place may have no holder; a cut shows its region's look there
   };
 
-  /// `leaf`: whether a leaf holds all of that part, none or, as far as is known, some.
+  /// What cuts show in a part of space. `leaf` tells if a leaf holds all of that part, nothing of it, or, as far as is
+  /// known, some.
   Shown shown(const Scene& scene, Search& search, const std::function<Known(LeafId)>& leaf) const;
 
  private:
   struct Entry {
     enum class Op : std::uint8_t { leaf, unite, intersect, subtract, other };
     Op op = Op::other;
-    std::uint32_t end = 0;  ///< after its operands, which follow it
+    std::uint32_t end = 0;  ///< the index after its operands, which follow it
     LeafId leaf;
   };
 

@@ -7,8 +7,8 @@
 
 #include "raycast/cells/build/cell_data.h"
 
-// The constants by which lanes know what is certain. They hold for rays whose point near the frame's center lies within
-// |q| <= 4 and events within |tau| <= 8 of it; derived in docs/accuracy.md, "Lanes".
+// By the constants here lanes know what is certain. They hold for rays whose point near the frame's center lies within
+// |q| <= 4, and for events within |tau| <= 8 of it. They are derived in docs/accuracy.md, "Lanes".
 
 namespace csgcast::detail {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 using Form = QuadricForm;
 constexpr double u = 0x1p-53;
 
-// A plane that is nearly square to an axis of turned cells, by as little as rounding makes of what was meant to be.
+// A plane that is square to an axis of turned cells but for rounding; `undecided` if the plane is not.
 LaneSurface nearly_square_plane(const CellForm& turned) {
   LaneSurface lane;
   const Vector n{turned.c[Form::x], turned.c[Form::y], turned.c[Form::z]};
@@ -45,7 +45,7 @@ LaneSurface plane(const Surface& surface, const CellForm* turned) {
     if (size != longest(n) || surface.first_degree != size) continue;
     lane.kind = static_cast<LaneSurface::Kind>(axis);
     lane.c = {-w / n[axis], n[axis] > 0 ? 1.0 : -1.0};
-    // Farther out the bounds would not hold, nor does anybody look there.
+    // Farther out the bounds would not hold; nothing looks at planes there.
     if (!(std::fabs(lane.c[0]) < 1)) lane.kind = LaneSurface::Kind::undecided;
     return lane;
   }
@@ -56,8 +56,8 @@ LaneSurface plane(const Surface& surface, const CellForm* turned) {
   return lane;
 }
 
-// By how much a form's second degree differs from the mean of some of its squares alone, in units of that: the sum of
-// the magnitudes.
+// The difference of a form's second degree from `square` times the given shares of x², y² and z², in units of `square`:
+// the sum of the magnitudes of all coefficients.
 double unevenness(const Surface::Coefficients& k, double square, std::array<double, 3> shares) {
   double sum = std::fabs(k[Form::xy]) + std::fabs(k[Form::xz]) + std::fabs(k[Form::yz]);
   for (std::size_t i = 0; i < 3; ++i) sum += std::fabs(k[Form::xx + i] - shares[i] * square);
@@ -73,11 +73,11 @@ LaneSurface sphere(const Surface& surface) {
   const Vector center = surface.center + to_center;
   const double radius_squared = dot(to_center, to_center) - k[Form::one] / a;
   if (!(radius_squared > 0) || !(radius_squared < 1) || !(longest(center) < 1)) return lane;
-  // A sphere that was turned is not quite one: by so much of the radius the discriminant may be off for that.
+  // A sphere that was turned is not quite one, which the discriminant's bound has to cover.
   const double radius = std::sqrt(radius_squared);
   const double reach = radius + longest(to_center);
   const double uneven = unevenness(k, a, {1, 1, 1});
-  // A cone is no tiny sphere.
+  // Without the first condition a cone could pass for a tiny sphere.
   if (uneven > 64 * u || uneven * 3 * reach * reach > 64 * u * radius) return lane;
   lane.kind = LaneSurface::Kind::sphere;
   const double least = std::fmax(0x1p-16 * radius_squared, 0x1p-43 * std::sqrt(radius_squared));
@@ -85,7 +85,7 @@ LaneSurface sphere(const Surface& surface) {
   return lane;
 }
 
-// x² + y² = r² about a center, and the same along the other axes; of turned cells nearly so.
+// A cylinder x² + y² = r² about a center, or the same along another axis. In turned cells it is so but for rounding.
 LaneSurface cylinder(const CellForm& form, bool is_turned, std::size_t axis) {
   const auto& k = form.c;
   LaneSurface lane;
@@ -116,7 +116,7 @@ LaneSurface cylinder(const CellForm& form, bool is_turned, std::size_t axis) {
   return lane;
 }
 
-// x² + y² - κ z² = ρ from a center, and the same along the other axes: cones, hyperboloids, spheroids.
+// A cone, hyperboloid or spheroid x² + y² - κ z² = ρ from a center, or the same along another axis.
 LaneSurface revolved(const Surface& surface, std::size_t axis) {
   const auto& k = surface.local;
   LaneSurface lane;
@@ -134,9 +134,9 @@ LaneSurface revolved(const Surface& surface, std::size_t axis) {
   const double constant = k[Form::one] / a;
   const double rho = across - kappa * along - constant;
   const double size = across + std::fabs(kappa) * along + std::fabs(constant);
-  // Of smaller ones too many rays would be left to the caster.
+  // Smaller quadrics would leave too many rays to the caster.
   if (!(std::fmax(std::fabs(kappa) * along, std::fabs(rho)) > 0x1p-32)) return lane;
-  // The last term makes lanes know nothing of what the filter about surface.center does not know.
+  // The last term is there so that lanes are certain of nothing that the filter about surface.center does not know.
   const double filter = 0x1p-54 * std::fmax(1, std::fabs(kappa)) * std::sqrt(longest(to_center) + 0x1p-16);
   const double off = 32 * u * size + 4 * u * std::fabs(rho) + filter;
   lane.kind = static_cast<LaneSurface::Kind>(static_cast<std::size_t>(LaneSurface::Kind::revolved_x) + axis);
@@ -144,10 +144,11 @@ LaneSurface revolved(const Surface& surface, std::size_t axis) {
   return lane;
 }
 
+// True if a line may be certain to meet the surface twice within `greatest_slack`.
 bool may_have_twins(const LaneSurface& surface, bool departs) {
-  // The two crossings of a round surface that is not open are 2^-11 of its radius apart or more.
+  // If the crossings of a round surface are certain, they are 2^-11 of its radius apart or more.
   constexpr double least_radius = 0x1p14 * greatest_slack;
-  // Of one about an axis they are 2^-29 apart or more; rays that depart take it for any quadric.
+  // Those of a quadric about an axis are 2^-29 apart or more, but for rays that depart: they take it for any quadric.
   return surface.kind == LaneSurface::Kind::quadric || (departs && is_revolved(surface.kind)) ||
          (is_round(surface.kind) && surface.c[3] < least_radius * least_radius);
 }
@@ -163,7 +164,7 @@ void Tolerance::allow_for(const LaneSurface& surface) {
 }
 
 double revolved_off(const LaneSurface& surface, const CellBox& box) {
-  // Farther than 4 from its center nothing can matter.
+  // Nothing farther than this from its center matters.
   constexpr double greatest_reach = 4;
   double squared = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -188,7 +189,7 @@ LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned) {
     if (lane.kind != LaneSurface::Kind::undecided) return lane;
   }
   LaneSurface lane;
-  // Reach is counted from centers within the frame's cube.
+  // The bounds count the reach of quadrics from centers within the frame's cube.
   if (!(longest(surface.center) < 0.75)) return lane;
   for (std::size_t axis = 0; turned == nullptr && axis < 3; ++axis) {
     lane = revolved(surface, axis);

@@ -10,30 +10,37 @@
 
 namespace csgcast::detail {
 
-/// A surface as the lanes compute with it.
+/// A surface as lanes compute with it, in the coordinates of the cells.
 struct LaneSurface {
   enum class Kind : std::uint8_t {
-    plane_x,  ///< square to an axis of the cells: c[0] its place, c[1] the sign of its normal
+    // A plane square to an axis of the cells: c[0] is its place, c[1] the sign of its normal.
+    plane_x,
     plane_y,
     plane_z,
-    plane,       ///< c[0..2] normal, c[3] constant, c[4] what its crossings are off times |slope|, c[5] of its value
-    cylinder_x,  ///< about a line along an axis: c[0..2] center, c[3] radius², c[4], c[5] as of a sphere
+    // Any other plane: c[0..2] is its normal, c[3] its constant. c[4] is what its crossings are off times |slope|, c[5]
+    // what its value is off.
+    plane,
+    // A cylinder about a line along an axis: c[0..2] is a center; c[3], c[4] and c[5] are as a sphere's.
+    cylinder_x,
     cylinder_y,
     cylinder_z,
-    sphere,  ///< c[0..2] center, c[3] radius², c[4] what the discriminant must be above, c[5] the sign inside is - it
-    revolved_x,  ///< any other quadric about a line along an axis, x² + y² - κ z² = ρ from a center: c[0..2] center,
-    revolved_y,  ///< c[3] κ, c[4] ρ, c[5] what ρ is off at most (in a cell's slot: the form, anywhere in the cell),
-                 ///< with the sign that the form has far from the axis
+    // c[0..2] is the center, c[3] the radius²; the discriminant must be above c[4]; the sign outside is that of c[5].
+    sphere,
+    // Any other quadric about a line along an axis, x² + y² - κ z² = ρ from a center: c[0..2] is the center, c[3] κ,
+    // c[4] ρ. |c[5]| is what ρ is off at most (in a cell's slot: what the form is off, anywhere in the cell); c[5] has
+    // the sign that the form has far from the axis.
+    revolved_x,
+    revolved_y,
     revolved_z,
-    quadric,   ///< Surface has it
-    undecided  ///< its doubles decide nothing
+    quadric,   // Surface has its numbers.
+    undecided  // Its doubles decide nothing.
   };
 
   std::array<double, 6> c{};
   Kind kind = Kind::undecided;
 };
 
-/// Kinds are in order: planes first.
+// Kinds are in order, planes first: the ranges below depend on it.
 constexpr bool is_plane(LaneSurface::Kind kind) { return kind <= LaneSurface::Kind::plane; }
 constexpr bool is_axis_cylinder(LaneSurface::Kind kind) {
   return kind >= LaneSurface::Kind::cylinder_x && kind <= LaneSurface::Kind::cylinder_z;
@@ -42,7 +49,7 @@ constexpr bool is_round(LaneSurface::Kind kind) { return kind == LaneSurface::Ki
 constexpr bool is_revolved(LaneSurface::Kind kind) {
   return kind >= LaneSurface::Kind::revolved_x && kind <= LaneSurface::Kind::revolved_z;
 }
-/// Of a plane square to an axis, of a cylinder along one, or of another quadric about one.
+/// The axis of a plane square to one, of a cylinder along one, or of another quadric about one.
 constexpr std::size_t axis_of(LaneSurface::Kind kind) {
   const LaneSurface::Kind first = is_plane(kind)      ? LaneSurface::Kind::plane_x
                                   : is_revolved(kind) ? LaneSurface::Kind::revolved_x
@@ -52,17 +59,19 @@ constexpr std::size_t axis_of(LaneSurface::Kind kind) {
 
 /// What the events of some surfaces need, whatever the ray.
 struct Tolerance {
-  float slack = 0;              ///< a power of two, or none
-  bool may_have_twins = false;  ///< a line may meet one of them twice within slack of cells, and be certain of it
-  bool departing_may_have_twins = false;  ///< a ray may that departs from a surface
+  float slack = 0;              ///< events need at least this, if not the ray's own slack: a power of two, or 0
+  bool may_have_twins = false;  ///< a line may be certain to meet one of the surfaces twice within `greatest_slack`
+  bool departing_may_have_twins = false;  ///< the same of a ray that departs from a surface
 
+  /// Adds a surface.
   void allow_for(const LaneSurface& surface);
 };
 
-/// `turned`: the surface's form in the axes of the cells; null: these are the frame's.
+/// A surface of a scene for lanes. `turned` is its form in the axes of the cells; null if these are the frame's.
 LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned);
 
-/// c[5] of a quadric about an axis in a cell: what its form may be off along a line, anywhere in the cell's box.
+/// What c[5] of a quadric about an axis becomes in a cell: it bounds what the form may be off along a line, anywhere in
+/// the cell's box.
 double revolved_off(const LaneSurface& surface, const CellBox& box);
 
 }  // namespace csgcast::detail

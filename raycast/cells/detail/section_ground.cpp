@@ -10,7 +10,8 @@ namespace {
 
 using Form = QuadricForm;
 
-/// Two directions square to a third, and that: the second is upwards (z), or, seen from above or below, along y.
+// The axes of a section whose normal is given, as rows: the third is the normal; the second leads upwards (along z), or
+// along y if the section is seen from above or below.
 CellAxes axes_about(Vector normal) {
   using Row = CellAxes::Row;
   const auto unit = [](Row row) {
@@ -30,7 +31,7 @@ CellAxes axes_about(Vector normal) {
   return axes;
 }
 
-/// The form at one height, which may be off: it no longer depends on z.
+// The form at one height, which may be off by `off`: the result does not depend on z.
 CellForm at_height(const CellForm& form, long double z, double off, const CellBox& box) {
   const auto& c = form.c;
   const long double d = z - form.center.z;
@@ -46,7 +47,7 @@ CellForm at_height(const CellForm& form, long double z, double off, const CellBo
   const Vector half = 0.5 * (there.upper - there.lower);
   const double slope = std::fabs(here.gradient.z) + std::fabs(c[Form::xz]) * half.x + std::fabs(c[Form::yz]) * half.y;
   flat.off = here.slack + off * (slope + std::fabs(c[Form::zz]) * off);
-  // A plane in that of the section: its side just beyond, along the normal, counts.
+  // Of a plane that lies in the section's the side just beyond counts, along the normal.
   bool is_plane = true;
   for (std::size_t i = 0; i < Form::x; ++i) is_plane = is_plane && c[i] == 0;
   const double most = std::fabs(flat.c[Form::one]) + 8 * (std::fabs(flat.c[Form::x]) + std::fabs(flat.c[Form::y]));
@@ -63,7 +64,7 @@ SectionGround section_ground(const CellGround& of, NodeId node, Vector normal, d
   const Scene& scene = of.scene;
   const Frame& frame = scene.frame();
   const CellAxes axes = axes_about(normal);
-  // Its distance from the frame's center, in units of the frame.
+  // The height is the distance of the plane from the frame's center, in units of the frame.
   const int exponent = std::ilogb(longest(normal));
   const Vector n{std::scalbn(normal.x, -exponent), std::scalbn(normal.y, -exponent), std::scalbn(normal.z, -exponent)};
   long double height = std::scalbn(static_cast<long double>(distance), -exponent);
@@ -75,7 +76,7 @@ SectionGround section_ground(const CellGround& of, NodeId node, Vector normal, d
     squared += static_cast<long double>(n[i]) * n[i];
   }
   height = std::scalbn(height / std::sqrt(squared), -frame.exponent);
-  // Products and sums round where the scene is far from the origin; no more than so, whatever a long double is.
+  // Where the scene is far from the origin, products and sums round: by no more than this, whatever a long double is.
   constexpr double rounding = 8 * static_cast<double>(std::numeric_limits<long double>::epsilon());
   const double off = rounding * static_cast<double>(std::scalbn(terms / std::sqrt(squared), -frame.exponent));
 

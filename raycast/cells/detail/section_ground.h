@@ -5,17 +5,18 @@
 
 #include "csg/base/ids.h"
 #include "csg/base/vector.h"
-#include "raycast/cells/build/cell_builder.h"
+#include "raycast/cells/build/cell_ground.h"
 
 namespace csgcast::detail {
 
 struct SectionGround {
   std::shared_ptr<const CellGround> ground;
-  bool misses = false;  ///< the plane has nothing of the node
+  bool misses = false;  ///< the plane does not meet the node
 };
 
-/// The plane normal . p = distance as a ground of its own, of height 1: no surface depends on z. Precondition: the node
-/// is bounded, the normal not zero.
+/// A ground for the section of a node with the plane normal . p = distance, made from the node's ground. Its axes x and
+/// y are in the plane; no surface depends on z, which goes from -1/2 to 1/2. Preconditions: the node is bounded, and
+/// the normal is not zero.
 SectionGround section_ground(const CellGround& of, NodeId node, Vector normal, double distance);
 
 }  // namespace csgcast::detail

@@ -3,12 +3,13 @@
 
 #include <memory>
 
-#include "raycast/cells/build/cell_builder.h"
+#include "raycast/cells/build/cell_ground.h"
 #include "raycast/cells/formula/formula.h"
 #include "raycast/cells/space.h"
 
 namespace csgcast {
 
+/// What the tree comes to in a space.
 struct Space::Content {
   std::shared_ptr<const detail::CellGround> ground;
   detail::Formula formula;

@@ -18,7 +18,7 @@ double greatest(double slope, double bend, double reach) {
   return (s + bend * reach) * reach;
 }
 
-// By how much a form, or its contrary (sign = -1), may rise above its value in the middle of a box.
+// The most by which a form, or its contrary (sign = -1), may rise above its value in the middle of a box.
 double rise(const LocalForm& f, double sign, Vector half) {
   double up = std::fabs(f.bend[Form::xy]) * half.x * half.y + std::fabs(f.bend[Form::xz]) * half.x * half.z +
               std::fabs(f.bend[Form::yz]) * half.y * half.z;
@@ -26,7 +26,7 @@ double rise(const LocalForm& f, double sign, Vector half) {
   return up;
 }
 
-// Whether a g - s f is negative in the whole box.
+// True if a g - s f is seen to be negative in the whole box.
 bool is_negative(const LocalForm& g, double a, const LocalForm& f, double s, Vector half) {
   LocalForm rest;
   rest.value = a * g.value - s * f.value;
@@ -57,7 +57,7 @@ Likeness likeness(const LocalForm& f, const LocalForm& g, Vector half) {
 }
 
 bool implies(const Signed& f, const Signed& g, Vector half, const Likeness& between, const Likeness& own) {
-  // What is left has the least slope, or, of two spheres, no bend.
+  // For the first s the difference has the least slope; for the second the least bend, of two spheres none.
   const double sign = f.sign * g.sign;
   const auto leaves_negative = [&](double product, double square) {
     if (!(sign * product > 0)) return false;
@@ -73,7 +73,7 @@ double slack_of_lines(const CellForm& form, const CellBox& box) {
   double bend = 0;
   for (std::size_t i = 0; i < Form::x; ++i) bend += std::fabs(c[i]);
   const double slope = std::fabs(c[Form::x]) + std::fabs(c[Form::y]) + std::fabs(c[Form::z]);
-  // That moves f by the gradient's bound times as much.
+  // What a place is off moves f by as much, times a bound of the gradient.
   return slack_of(form, box) +
          form_tolerance * ((bend * reach + slope) * (reach + 8) + bend * reach + std::fabs(c[Form::one]));
 }
@@ -120,7 +120,8 @@ Sides sides_far_out(const CellForm& form, const CellBox& box) {
     const double high = box.upper[axis] - form.center[axis];
     if (!std::isfinite(low) && !std::isfinite(high)) return Sides::both;
     if (!std::isfinite(low) || !std::isfinite(high)) {
-      // The sign at the finite end is the least extreme one; both if another axis is infinite the other way.
+      // The form is least extreme at the finite end. If it grows without end along one axis and falls along another, it
+      // has both signs.
       const double end = std::isfinite(low) ? low : high;
       const bool grows = (std::isfinite(low)) == (slope > 0);
       if (spread != 0 && std::isinf(spread) && (spread > 0) != grows) return Sides::both;

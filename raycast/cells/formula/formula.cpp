@@ -13,19 +13,20 @@ class Layout {
  public:
   Layout(const Scene& scene, Formula& formula) : scene_(scene), formula_(formula) {}
 
-  /// Takes what does not meet a box for empty. The box must outlive this.
+  /// Makes nodes empty that do not meet a box. The box must outlive this.
   Layout& near(const Box& box) {
     near_ = &box;
     return *this;
   }
-  /// Takes a node for empty, or everything.
+  /// Makes a node empty, or everything.
   Layout& with(NodeId node, bool as_everything) {
     replaced_ = node;
     as_everything_ = as_everything;
     return *this;
   }
 
-  /// False if that took more terms: then it was broken off, and the formula is none.
+  /// Lays out the tree below a node, behind what is there. False if there are more terms then: it was broken off, and
+  /// the formula is no longer valid.
   bool run(NodeId root, std::size_t most_terms = SIZE_MAX) {
     visit(root);
     while (!frames_.empty()) {
@@ -85,7 +86,7 @@ class Layout {
     frames_.push_back({scene_.children(node), 0, start});
   }
 
-  // An operator without operands: a union of none is empty, an intersection of none everything.
+  // Adds an operator without operands: a union of none is empty, an intersection of none is everything.
   void add_constant(bool value) { formula_.terms.push_back({1, 0, value ? Term::Op::intersect : Term::Op::unite}); }
 
   const Scene& scene_;
@@ -96,19 +97,16 @@ class Layout {
   std::vector<Frame> frames_;
 };
 
-}  // namespace
-
-namespace {
-
+// Adds an operand; a constant is an operator without operands.
 void append(Formula& whole, const Formula& operand) {
   if (!operand.is_constant()) {
     whole.terms.insert(whole.terms.end(), operand.terms.begin(), operand.terms.end());
   } else {
-    whole.terms.push_back({1, 0, operand.value ? Term::Op::intersect : Term::Op::unite});  // of nothing
+    whole.terms.push_back({1, 0, operand.value ? Term::Op::intersect : Term::Op::unite});
   }
 }
 
-/// An operator over the operands that `add` lays out, folded.
+// Folds an operator over the operands that `add` lays out.
 template <class Add>
 Formula joined(Term::Op op, Add&& add) {
   Formula whole;
@@ -161,7 +159,8 @@ std::optional<Formula> formula_of_effect(const Scene& scene, NodeId root, NodeId
   const Formula without = tree(root, node);
   const Formula own = tree(node, NodeId());
   if (!is_short) return std::nullopt;
-  // Where one of the two holds and the other does not: inside the node, or outside if it becomes everything.
+  // The value differs where one of the two trees holds and the other does not. That is inside the node, or outside of
+  // it if it becomes everything.
   return joined(Term::Op::intersect, [&](Formula& whole) {
     append(whole, as_everything ? joined(Term::Op::complement, [&](Formula& outside) { append(outside, own); }) : own);
     append(whole, joined(Term::Op::unite, [&](Formula& either) {
@@ -195,14 +194,14 @@ void Folder::deliver(Known value, std::span<const Term> operand) {
   keep();
 }
 
-// An operand of the operator on top stays.
+// Keeps an operand of the operator on top.
 void Folder::keep() {
   if (frames_.empty()) return;
   ++frames_.back().kept;
   ++frames_.back().seen;
 }
 
-// An operand of the operator on top is constant; maybe the operator is, then.
+// Takes an operand of the operator on top for constant. The operator, and those above it, may become so by that.
 void Folder::settle(bool value) {
   while (!frames_.empty()) {
     Frame& frame = frames_.back();
@@ -217,7 +216,7 @@ void Folder::settle(bool value) {
       case Term::Op::subtract:
         absorbs = (frame.seen == 0) != value;
         if (!absorbs && frame.seen == 0) {
-          frame.op = Term::Op::complement;  // everything less the second operand
+          frame.op = Term::Op::complement;  // it is everything less the second operand
           result_->terms[frame.start].op = Term::Op::complement;
         }
         if (absorbs) value = false;
@@ -259,7 +258,7 @@ void Folder::close(const Frame& frame) {
   }
   const bool is_plain = frame.kept == 1 && frame.op != Term::Op::leaf && frame.op != Term::Op::complement;
   if (is_plain) {
-    // One operand left: it stands for the operator.
+    // The one operand that is left stands for the operator.
     terms.erase(terms.begin() + frame.start);
   } else {
     terms[frame.start].size = static_cast<std::uint32_t>(terms.size()) - frame.start;

@@ -12,21 +12,21 @@
 
 namespace csgcast::detail {
 
-/// One entry of a formula: an operator followed by its operands, or a half-space.
+/// One entry of a formula: a half-space, a leaf followed by its half-spaces, or an operator followed by its operands.
 struct Term {
   enum class Op : std::uint8_t { unite, intersect, subtract, complement, leaf, half_space };
 
-  std::uint32_t size = 1;  ///< entries of this term, itself included
-  std::uint32_t what = 0;  ///< of a leaf its LeafId; of a half-space twice its SurfaceId, plus 1 for the positive side
+  std::uint32_t size = 1;  ///< the number of entries of the term: itself and its operands
+  std::uint32_t what = 0;  ///< a leaf's LeafId; twice a half-space's SurfaceId, plus 1 for the positive side
   Op op = Op::unite;
-  bool is_wider = false;  ///< a leaf that lacks half-spaces which matter to it, but not to the formula
+  bool is_wider = false;  ///< a leaf lacks half-spaces which matter to it, but not to the formula
 
   SurfaceId surface() const { return SurfaceId(what >> 1); }
   bool wants_positive() const { return (what & 1) != 0; }
 };
 
-/// A scene's tree over half-spaces, as far as it is not constant in some region: terms in prefix order, a leaf standing
-/// for the conjunction of its half-spaces. Without terms it is the constant `value`.
+/// A scene's tree over half-spaces, as far as it is not constant in some part of space. Terms are in prefix order; a
+/// leaf is the conjunction of its half-spaces. Without terms the formula is the constant `value`.
 struct Formula {
   std::vector<Term> terms;
   bool value = false;
@@ -36,23 +36,26 @@ struct Formula {
 
 /// The whole tree below a node.
 Formula formula_of(const Scene& scene, NodeId node);
-/// The tree below one less those below others.
+/// The tree below a node less those below other nodes.
 Formula formula_of_difference(const Scene& scene, NodeId node, std::span<const NodeId> less);
-/// What is below both of two.
+/// What the trees below two nodes share.
 Formula formula_of_common(const Scene& scene, NodeId a, NodeId b);
-/// Where the tree below a root would have another value if one of its nodes were empty, or everything; as far as that
-/// depends on what meets the box. Nothing if the tree near there takes more than `most_terms`.
+/// The space in which the tree below a root would have another value if one of its nodes were empty, or everything. It
+/// is right in the box `near` only: nodes that do not meet the box are taken to be empty. Nothing if the tree takes
+/// more than `most_terms` terms all the same.
 std::optional<Formula> formula_of_effect(const Scene& scene, NodeId root, NodeId node, bool as_everything,
                                          const Box& near, std::size_t most_terms);
 
-/// What is known of a term where a formula is folded.
+/// What is known of a term's value where a formula is folded.
 enum class Known : std::uint8_t { no, yes, open };
 
-/// Rewrites a formula given what is known of its leaves and half-spaces. Equivalent in every state of the surfaces that
-/// stay open. One pass over the terms with a stack of its own; trees may be a million deep. Keeps its memory.
+/// Rewrites a formula, given what is known of its leaves and half-spaces: the result is equivalent in every state of
+/// the surfaces that stay open. It takes one pass over the terms, with a stack of its own: trees may be a million deep.
+/// Keeps its memory.
 class Folder {
  public:
-  /// `leaf(term)`: no if the leaf is known to hold nothing; yes or open: ask its half-spaces. `half_space(term)`.
+  /// `leaf(term)` and `half_space(term)` tell what is known. Unless a leaf is known to hold nothing, its half-spaces
+  /// are asked for. Precondition: `from` and `result` are two formulas.
   template <class LeafKnown, class HalfSpaceKnown>
   void fold(const Formula& from, Formula& result, LeafKnown&& leaf, HalfSpaceKnown&& half_space) {
     begin(from, result);
@@ -63,7 +66,7 @@ class Folder {
         at_ += term.size;
         settle(false);
       } else if (term.op == Term::Op::half_space || (is_leaf && term.size == 2)) {
-        // A half-space, or a leaf of one.
+        // The term is a half-space, or a leaf of one.
         const std::span<const Term> whole(&term, term.size);
         at_ += term.size;
         deliver(half_space(whole.back()), whole);
@@ -76,12 +79,12 @@ class Folder {
 
  private:
   struct Frame {
-    std::uint32_t end;    // where its operands end in the old formula
-    std::uint32_t start;  // where it starts in the new one
-    std::uint32_t kept;   // operands that stay
-    std::uint32_t seen;   // operands so far
+    std::uint32_t end;    // index after its last operand, in the old formula
+    std::uint32_t start;  // index of its term in the new formula
+    std::uint32_t kept;   // number of operands that stay
+    std::uint32_t seen;   // number of operands so far
     Term::Op op;
-    bool is_merged;  // into the operator above, which is the same: it has no entry of its own
+    bool is_merged;  // it has no term of its own, as the operator above is the same
   };
 
   void begin(const Formula& from, Formula& result);
@@ -98,8 +101,8 @@ class Folder {
   bool done_ = false;
 };
 
-/// The value of a formula, given that of each half-space (a truth value, or 64 of them in a word). `half_space(term)`.
-/// Precondition: not constant.
+/// Computes the value of a formula, given that of each half-space, `half_space(term)`: 64 truth values side by side in
+/// a word. Keeps its memory. Precondition: the formula is not constant.
 class FormulaValue {
  public:
   template <class HalfSpaceWord>

@@ -9,34 +9,37 @@
 
 #include "csg/base/truth_table.h"
 #include "raycast/cells/formula/form_range.h"
-#include "raycast/cells/formula/formula.h"
 
 namespace csgcast::detail {
 
-/// Which sides of some surfaces lie within sides of others, in a box. The literal 2 i + 1 is the i-th surface's
-/// positive side, 2 i its negative one.
+/// Tells which sides of some surfaces lie within sides of others in a box. The literal 2 i + 1 is the i-th surface's
+/// positive side, 2 i its negative one. Keeps its memory.
 class Implications {
  public:
-  static constexpr std::size_t most = 32;  ///< surfaces: more are seldom near each other, and cost their square
+  /// The greatest number of surfaces: more are seldom near each other, and the time goes by their square.
+  static constexpr std::size_t most = 32;
   using Literals = std::bitset<2 * most>;
 
-  /// Of `count` surfaces in a box: nothing is known yet. `half`: of the box's sides.
+  /// Forgets all, and begins with `count` surfaces in a box, of whose sides `half` is half.
   void begin(std::size_t count, Vector half);
-  /// The i-th surface's form about the box's middle: it is compared with those that came before.
+  /// Adds the i-th surface by its form about the box's middle: it is compared with those that came before. Does nothing
+  /// in an infinite box.
   void add(std::size_t i, const LocalForm& form);
 
+  /// True if some literal implies another one.
   bool any() const { return any_; }
-  /// The literals that hold where one does, itself included.
+  /// The literals that hold wherever a literal does, itself included.
   const Literals& by(std::size_t literal) const { return implied_[literal]; }
-  /// Of the first surfaces, bit i of a state for the i-th's positive side. Precondition: there are no more.
+  /// The states that the surfaces are in nowhere in the box: bit i of a state says that the i-th surface is positive.
+  /// Precondition: there are at most eight surfaces.
   TruthTable impossible_states() const;
 
  private:
   struct Added {
     std::size_t surface;
     LocalForm form;
-    Likeness own;           // with itself
-    std::uint32_t corners;  // where it is negative
+    Likeness own;           // the form's likeness with itself
+    std::uint32_t corners;  // the corners where the form is negative
   };
 
   void note(std::size_t literal, std::size_t other);
@@ -46,41 +49,6 @@ class Implications {
   bool any_ = false;
   std::vector<Added> added_;
   std::array<Literals, 2 * most> implied_;
-};
-
-/// Finds half-spaces of a formula that have one value wherever the formula's depends on them, given what implies what,
-/// by what is known where they are asked for: in an intersection that the other operands hold, in a union that they do
-/// not.
-class ContextFold {
- public:
-  /// `literals`: by term, of half-spaces. `known`: by term, all open; becomes what is found.
-  ContextFold(const Formula& formula, const Implications& implications, const std::vector<std::uint8_t>& literals,
-              std::vector<Known>& known)
-      : terms_(formula.terms), implications_(implications), literals_(literals), known_(known) {}
-
-  /// Whether any was found.
-  bool run();
-
- private:
-  using Literals = Implications::Literals;
-
-  // What a leaf tells the operands beside it: literals that hold where it does, and where it does not.
-  struct Told {
-    Literals holds;
-    Literals fails;
-    Literals own;  // those it is the conjunction of; none of what is no leaf, or nowhere
-  };
-
-  void visit(std::size_t at, const Literals& context);
-  void visit_operands(std::size_t at, const Literals& context);
-  bool drop_covered(const std::vector<Told>& told, std::size_t operand, std::size_t at, const Literals& context);
-  Told told_by(std::size_t at) const;
-
-  const std::vector<Term>& terms_;
-  const Implications& implications_;
-  const std::vector<std::uint8_t>& literals_;
-  std::vector<Known>& known_;
-  bool any_ = false;
 };
 
 }  // namespace csgcast::detail

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "raycast/cells/build/cell_ground.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "raycast/cells/build/cell_builder.h"
+#include "raycast/cells/build/cell_box.h"
 #include "raycast/scene/even_looks.h"
 
-// Where leaves lie, in the axes of the cells.
-
 namespace csgcast::detail {
-namespace {
-
-CellBox hull(const CellBox& a, const CellBox& b) {
-  CellBox result;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    result.lower[axis] = std::fmin(a.lower[axis], b.lower[axis]);
-    result.upper[axis] = std::fmax(a.upper[axis], b.upper[axis]);
-  }
-  return result;
-}
-
-}  // namespace
 
 CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {
   const Box& box_of_node = scene.node(node).box;
@@ -47,6 +35,17 @@ LookId CellGround::look_of(const Leaf& leaf, bool one_region) const {
   return is_even ? scene.region(leaf.region).look : LookId();
 }
 
+Sides CellGround::sides_for_rays(SurfaceId id, const CellBox& b) const {
+  const std::size_t surface = id.index();
+  if (surfaces[surface].kind == LaneSurface::Kind::undecided) return Sides::both;
+  const Vector half = 0.5 * (b.upper - b.lower);
+  return is_finite(half) ? sides_of(form_in(surface, b), half) : sides_far_out(forms[surface], b);
+}
+
+Sides CellGround::sides_of_points(SurfaceId id, const CellBox& b) const {
+  return scene.surface(id).in_range ? sides_within(forms[id.index()], b) : Sides::both;
+}
+
 void CellGround::place_leaves(NodeId node) {
   leaf_boxes.resize(scene.leaves().size());
   for (const Node& at : scene.nodes()) {
@@ -57,22 +56,18 @@ void CellGround::place_leaves(NodeId node) {
   box = {{-side, -side, -side}, {side, side, side}};
   if (!is_bounded || scene.node(node).box.is_null()) return;
   const CellBox solid = axes ? turned_box_of(node) : in_frame(scene.node(node).box, scene.frame());
-  const Vector more{CellBuilder::beside, CellBuilder::beside, CellBuilder::beside};
-  box = {solid.lower - more, solid.upper + more};
+  box = grown(solid, face_clearance);
 }
 
-CellBox CellGround::box_of(const Box& world) const {
-  const CellBox own = tight_box_of(world);
-  const Vector more{CellBuilder::beside, CellBuilder::beside, CellBuilder::beside};
-  return {own.lower - more, own.upper + more};
-}
+CellBox CellGround::box_of(const Box& world) const { return grown(tight_box_of(world), face_clearance); }
 
 CellBox CellGround::tight_box_of(const Box& world) const {
   const CellBox straight = in_frame(world, scene.frame());
   return axes ? axes->holding(straight) : straight;
 }
 
-// Where the axes are turned, as tight as those of the half-spaces allow that boxes have sides along.
+// The box of a leaf. In turned axes it is made tighter by each half-space of the leaf that gives a box a side: planes
+// square to an axis, spheres, and cylinders along an axis.
 CellBox CellGround::box_of_leaf(const Leaf& leaf, const Box& world) const {
   const CellBox straight = in_frame(world, scene.frame());
   if (!axes) return straight;
@@ -102,12 +97,12 @@ CellBox CellGround::box_of_leaf(const Leaf& leaf, const Box& world) const {
   return result;
 }
 
-// The box of a node in turned axes, from those of its leaves. Children come before their parents.
+// The box of a node in turned axes, made from the boxes of its leaves. Nodes' children come before them.
 CellBox CellGround::turned_box_of(NodeId node) const {
   std::vector<CellBox> boxes(node.index() + 1);
   for (std::uint32_t id = 0; id <= node.index(); ++id) {
     const Node& at = scene.node(NodeId(id));
-    if (at.box.is_null() || !at.box.is_finite()) continue;  // not asked for, below
+    if (at.box.is_null() || !at.box.is_finite()) continue;  // nobody asks for it below
     if (at.op == Node::Op::leaf) {
       boxes[id] = leaf_boxes[at.first];
       continue;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "raycast/cells/build/cell_ground.h"
+#include "raycast/cells/formula/form_range.h"
+#include "raycast/cells/formula/formula.h"
+
+namespace csgcast::detail {
+
+/// Looks into one box after another: finds on which sides of surfaces it lies, and folds formulas by that. The sides of
+/// a surface are found once for each box. Working memory of one thread.
+class BoxFold {
+ public:
+  /// The places in a box that sides are for.
+  enum class Places : std::uint8_t {
+    exact,   ///< the points of the box itself
+    of_rays  ///< places along rays, which may be off: the box is taken to be as wide as a cell is
+  };
+
+  /// The ground must outlive this.
+  BoxFold(const CellGround& ground, Places places);
+
+  /// Goes on to another box. It is finite, unless places are of rays.
+  void enter(const CellBox& box);
+  /// The sides of a surface that the box meets; `both` if that is not known.
+  Sides sides_of(SurfaceId id) {
+    const std::size_t i = id.index();
+    if (asked_in_[i] != box_number_) {
+      asked_in_[i] = box_number_;
+      answer_[i] = find_sides(id);
+    }
+    return answer_[i];
+  }
+  /// `yes` if all of the box is on that side of the surface, `no` if nothing of it is.
+  Known known_of(SurfaceId id, bool positive) {
+    const Sides sides = sides_of(id);
+    if (sides == Sides::both) return Known::open;
+    return (sides == Sides::positive) == positive ? Known::yes : Known::no;
+  }
+  /// `yes` if the leaf holds all of the box, `no` if it holds nothing of it.
+  Known known_of(LeafId id);
+
+  /// Enters a box and makes `result` what the formula comes to in it. Precondition: they are two formulas.
+  void fold(const Formula& from, const CellBox& box, Formula& result);
+
+ private:
+  Sides find_sides(SurfaceId id) const;
+
+  const CellGround& ground_;
+  Places places_;
+  CellBox box_{};
+  Folder folder_;
+  std::uint32_t box_number_ = 0;
+  std::vector<std::uint32_t> asked_in_;  // by surface: the number of the box that the answer is for
+  std::vector<Sides> answer_;            // by surface
+};
+
+}  // namespace csgcast::detail

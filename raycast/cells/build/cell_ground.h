@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "raycast/cells/build/cell_axes.h"
+#include "raycast/cells/build/cut_look.h"
+#include "raycast/cells/build/lane_surface.h"
+#include "raycast/cells/formula/form_range.h"
+#include "raycast/scene/scene.h"
+
+namespace csgcast::detail {
+
+/// What is known of a scene's node before its space is cut: all that build its cells read it, side by side. Boxes and
+/// forms are in the frame's coordinates, turned to `axes` if there are any.
+struct CellGround {
+  /// The scene must outlive the ground.
+  CellGround(const Scene& scene, NodeId node);
+
+  const Scene& scene;
+  std::optional<CellAxes> axes;         ///< the axes of the cells, if they are not the frame's
+  std::vector<CellForm> forms;          ///< by surface
+  std::vector<double> slacks;           ///< by surface: a slack for lines of its form in any box near the frame's cube
+  std::vector<LaneSurface> surfaces;    ///< by surface
+  std::vector<CellBox> leaf_boxes;      ///< by leaf
+  std::vector<std::uint8_t> even_look;  ///< by region: 1 if all that it is made of, and its faces, look the same
+  HolderTree holders;                   ///< empty if no leaf shows cuts
+  CellBox box{};                        ///< holds the node; if that is unbounded, it is the frame's cube
+  bool is_bounded = true;               ///< false if the node's box has an infinite side
+
+  /// What a leaf's faces show wherever they are; not valid if that depends on the place. `one_region` says that
+  /// everything else there belongs to the leaf's own region.
+  LookId look_of(const Leaf& leaf, bool one_region) const;
+
+  /// A surface's form about the middle of a box, with a slack that covers the places of lines, which may be off.
+  /// Precondition: the box is finite.
+  LocalForm form_in(std::size_t surface, const CellBox& b) const {
+    const CellForm& form = forms[surface];
+    return local_form(form, b, is_near(b) ? slacks[surface] : slack_of_lines(form, b));
+  }
+  /// The sides of a surface that rays may meet in a box, which may be infinite; `both` if its numbers decide nothing.
+  Sides sides_for_rays(SurfaceId id, const CellBox& b) const;
+  /// The sides of a surface that the exact points of a box may have; `both` if its numbers decide nothing.
+  /// Precondition: the box is finite.
+  Sides sides_of_points(SurfaceId id, const CellBox& b) const;
+
+  /// A box, in the axes of the cells, that holds a box of the scene and has room beside faces in its sides.
+  /// Precondition: the box is finite.
+  CellBox box_of(const Box& world) const;
+  /// The same box without that room.
+  CellBox tight_box_of(const Box& world) const;
+
+ private:
+  static constexpr double near_side = 1.125;  // the frame's cube, and room
+
+  static bool is_near(const CellBox& b) { return longest(b.lower) <= near_side && longest(b.upper) <= near_side; }
+  void place_leaves(NodeId node);
+  CellBox box_of_leaf(const Leaf& leaf, const Box& world) const;
+  CellBox turned_box_of(NodeId node) const;
+};
+
+}  // namespace csgcast::detail
