@@ -162,7 +162,7 @@ void AdversarialRays::along_axes(Random& random) {
 
 // Exactly in the plane where it is axis-parallel and at a representable place.
 void AdversarialRays::in_faces(Random& random) {
-  const std::optional<SurfacePlace> place = places_.on_surface(random, SurfaceKind::plane);
+  const std::optional<SurfacePlace> place = places_.on_surface(random, ScenePlaces::Shape::flat);
   if (!place) return;
   const Vector across = random.index(2) == 0 ? random.direction() : short_direction(random);
   const Vector d = places_.size() * cross(place->normal, across);
@@ -188,7 +188,7 @@ void AdversarialRays::grazing(Random& random) {
 }
 
 void AdversarialRays::generators(Random& random) {
-  const std::optional<SurfacePlace> place = places_.on_surface(random, SurfaceKind::quadric);
+  const std::optional<SurfacePlace> place = places_.on_surface(random, ScenePlaces::Shape::curved);
   if (!place) return;
   for (const Vector line : straight_lines(places_.scene(), place->surface, place->point)) {
     const Vector d = places_.size() * line;

@@ -24,8 +24,7 @@ ScenePlaces::ScenePlaces(const Scene& scene) : caster_(scene), size_(std::ldexp(
   const Point center = scene.frame().center;
   const Vector half{size_, size_, size_};
   region_ = {center - half, center + half};
-  for (const Surface& surface : scene.surfaces())
-    (surface.kind == SurfaceKind::plane ? has_planes_ : has_quadrics_) = true;
+  for (const Surface& surface : scene.surfaces()) (surface.is_plane ? has_flat_ : has_curved_) = true;
 }
 
 // Leaf nodes are at least a third of all nodes.
@@ -67,8 +66,8 @@ std::optional<SurfacePlace> ScenePlaces::hit(Random& random) {
   return SurfacePlace{found->crossing.surface, ray.at(found->crossing.t), {}};
 }
 
-std::optional<SurfacePlace> ScenePlaces::on_surface(Random& random, std::optional<SurfaceKind> kind) {
-  if (kind && !has(*kind)) return std::nullopt;
+std::optional<SurfacePlace> ScenePlaces::on_surface(Random& random, std::optional<Shape> shape) {
+  if (shape && !has(*shape)) return std::nullopt;
   for (int i = 0; i < tries; ++i) {
     std::optional<SurfacePlace> place;
     if (random.index(2) == 0) {
@@ -76,7 +75,7 @@ std::optional<SurfacePlace> ScenePlaces::on_surface(Random& random, std::optiona
     } else if (const std::optional<SurfaceId> surface = some_surface(random)) {
       place = SurfacePlace{*surface, anywhere(random), {}};
     }
-    if (!place || (kind && scene().surface(place->surface).kind != *kind)) continue;
+    if (!place || (shape && scene().surface(place->surface).is_plane != (*shape == Shape::flat))) continue;
     const std::optional<Point> settled = meeting_point(scene(), std::span(&place->surface, 1), place->point);
     if (!settled) continue;
     return SurfacePlace{place->surface, *settled, normal_at(scene(), place->surface, *settled)};
@@ -124,8 +123,7 @@ std::optional<Corner> ScenePlaces::corner(Random& random, std::size_t count) {
     if (pick_surfaces(random, count, picked.data(), start) < count) continue;
     const std::span<SurfaceId> surfaces = std::span(picked).first(count);
     // Planes first: the step onto an axis-parallel one is not touched by those after it.
-    std::stable_partition(surfaces.begin(), surfaces.end(),
-                          [&](SurfaceId id) { return scene().surface(id).kind == SurfaceKind::plane; });
+    std::stable_partition(surfaces.begin(), surfaces.end(), [&](SurfaceId id) { return scene().surface(id).is_plane; });
     const std::optional<Point> p = meeting_point(scene(), surfaces, start);
     if (!p) continue;
     return Corner{*p, cross(normal_at(scene(), picked[0], *p), normal_at(scene(), picked[1], *p))};
@@ -134,7 +132,7 @@ std::optional<Corner> ScenePlaces::corner(Random& random, std::size_t count) {
 }
 
 std::optional<Point> ScenePlaces::center(Random& random) {
-  if (!has_quadrics_) return std::nullopt;
+  if (!has_curved_) return std::nullopt;
   for (int i = 0; i < tries; ++i) {
     const std::optional<SurfaceId> surface = some_surface(random);
     if (!surface) continue;

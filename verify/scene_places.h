@@ -27,6 +27,8 @@ struct Corner {
 /// the scene and the random source.
 class ScenePlaces {
  public:
+  enum class Shape { flat, curved };  ///< of a surface: a plane, or not
+
   /// The scene must outlive it.
   explicit ScenePlaces(const Scene& scene);
 
@@ -37,15 +39,15 @@ class ScenePlaces {
 
   /// A point among the bounded leaves, often near one of them.
   Point anywhere(Random& random) const;
-  /// A point on a surface, on the boundary of the solid or not. `kind` asks for planes or quadrics only.
-  std::optional<SurfacePlace> on_surface(Random& random, std::optional<SurfaceKind> kind = std::nullopt);
+  /// A point on a surface, on the boundary of the solid or not. `shape`: only on such surfaces.
+  std::optional<SurfacePlace> on_surface(Random& random, std::optional<Shape> shape = std::nullopt);
   /// A point where `count` surfaces meet, 2 or 3: of one leaf, or of leaves that one ray meets.
   std::optional<Corner> corner(Random& random, std::size_t count);
   /// The apex of a cone or the center of another quadric.
   std::optional<Point> center(Random& random);
 
  private:
-  bool has(SurfaceKind kind) const { return kind == SurfaceKind::plane ? has_planes_ : has_quadrics_; }
+  bool has(Shape shape) const { return shape == Shape::flat ? has_flat_ : has_curved_; }
   const Leaf* some_leaf(Random& random, Box* box) const;
   std::optional<SurfaceId> some_surface(Random& random) const;
   std::optional<SurfacePlace> hit(Random& random);
@@ -55,8 +57,8 @@ class ScenePlaces {
   IntervalList list_;
   Box region_;
   double size_;
-  bool has_planes_ = false;
-  bool has_quadrics_ = false;
+  bool has_flat_ = false;
+  bool has_curved_ = false;
 };
 
 }  // namespace csgcast::verify

@@ -118,7 +118,7 @@ std::optional<Point> meeting_point(const Scene& scene, std::span<const SurfaceId
 
 std::optional<Point> center_of(const Scene& scene, SurfaceId id) {
   const Surface& surface = scene.surface(id);
-  if (surface.kind == SurfaceKind::plane) return std::nullopt;
+  if (surface.is_plane) return std::nullopt;
   const Frame& frame = scene.frame();
   const auto& c = surface.local;
   const Matrix m = second_degree(c);
@@ -142,7 +142,7 @@ Vector normal_at(const Scene& scene, SurfaceId surface, Point p) {
 std::vector<Vector> straight_lines(const Scene& scene, SurfaceId id, Point on_it) {
   const Surface& surface = scene.surface(id);
   const Vector normal = normal_at(scene, id, on_it);
-  if (surface.kind == SurfaceKind::plane || normal == Vector{}) return {};
+  if (surface.is_plane || normal == Vector{}) return {};
   const Matrix m = second_degree(surface.local);
   const auto product = [&](Vector u, Vector v) { return u.x * dot(m[0], v) + u.y * dot(m[1], v) + u.z * dot(m[2], v); };
   std::size_t flattest = 0;

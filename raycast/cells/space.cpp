@@ -69,7 +69,7 @@ const Scene& Space::scene() const { return content_->ground->scene; }
 bool Space::is_empty() const { return content_->formula.is_constant() && !content_->formula.value; }
 const CellForm& Space::form(std::uint32_t surface) const { return content_->ground->forms[surface]; }
 bool Space::is_known(std::uint32_t surface) const { return scene().surfaces()[surface].in_range; }
-bool Space::is_plane(std::uint32_t surface) const { return scene().surfaces()[surface].kind == SurfaceKind::plane; }
+bool Space::is_plane(std::uint32_t surface) const { return scene().surfaces()[surface].is_plane; }
 double Space::scale() const { return std::ldexp(1.0, scene().frame().exponent); }
 
 std::array<Vector, 3> Space::axes() const {

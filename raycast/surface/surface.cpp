@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "raycast/surface/kinds.h"
 #include "raycast/surface/rounded_form.h"
 
 namespace csgcast {
@@ -26,21 +27,21 @@ double magnitude_sum(const Coefficients& c, std::size_t begin, std::size_t end) 
 Surface make_surface(PackedForm canonical, const Frame& frame, Point near, bool is_local) {
   const QuadricForm form = canonical.unpacked();
   Surface surface;
-  surface.kind = form.is_plane() ? SurfaceKind::plane : SurfaceKind::quadric;
+  surface.kind = *std::find_if(surface_kinds().begin(), surface_kinds().end(),
+                               [&](const SurfaceKind* kind) { return kind->takes(form); });
+  surface.is_plane = surface.kind == &plane_kind;
   surface.is_local = is_local;
   surface.exact = std::move(canonical);
   surface.in_range = round_scaled(form, surface.world);
   ExactPoint origin;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (surface.kind == SurfaceKind::quadric)
-      surface.center[axis] = std::ldexp(near[axis] - frame.center[axis], -frame.exponent);
+    if (!surface.is_plane) surface.center[axis] = std::ldexp(near[axis] - frame.center[axis], -frame.exponent);
     origin[axis] = Dyadic(frame.center[axis]) + Dyadic(surface.center[axis]).scaled(frame.exponent);
   }
   surface.in_range =
       round_scaled(in_coordinates(form, origin, frame.exponent), surface.local, &surface.local_low) && surface.in_range;
   const auto& local = surface.local;
-  if (surface.kind == SurfaceKind::plane)
-    surface.normal = normalised(Vector{local[Form::x], local[Form::y], local[Form::z]});
+  if (surface.is_plane) surface.normal = normalised(Vector{local[Form::x], local[Form::y], local[Form::z]});
   surface.is_mixed = local[Form::xy] != 0 || local[Form::xz] != 0 || local[Form::yz] != 0;
   surface.second_degree = magnitude_sum(surface.local, 0, Form::x);
   surface.first_degree = magnitude_sum(surface.local, Form::x, Form::one);
@@ -49,15 +50,7 @@ Surface make_surface(PackedForm canonical, const Frame& frame, Point near, bool 
 }
 
 Vector gradient(const Surface& surface, const Frame& frame, Point p) {
-  const auto& c = surface.local;
-  if (surface.kind == SurfaceKind::plane) return {c[Form::x], c[Form::y], c[Form::z]};
-  Vector q;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    q[axis] = std::ldexp(p[axis] - frame.center[axis], -frame.exponent) - surface.center[axis];
-  }
-  return {2 * c[Form::xx] * q.x + c[Form::xy] * q.y + c[Form::xz] * q.z + c[Form::x],
-          2 * c[Form::yy] * q.y + c[Form::xy] * q.x + c[Form::yz] * q.z + c[Form::y],
-          2 * c[Form::zz] * q.z + c[Form::xz] * q.x + c[Form::yz] * q.y + c[Form::z]};
+  return surface.kind->gradient(surface, frame, p);
 }
 
 }  // namespace csgcast

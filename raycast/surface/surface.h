@@ -10,13 +10,16 @@
 
 namespace csgcast {
 
-enum class SurfaceKind : std::uint8_t { plane, quadric };
+struct SurfaceKind;
+extern const SurfaceKind plane_kind;
+extern const SurfaceKind quadric_kind;
 
 /// One surface of the world, f(p) = 0: its canonical exact form, and floating-point forms of it that only ever filter.
 struct Surface {
   using Coefficients = std::array<double, QuadricForm::term_count>;
 
-  SurfaceKind kind = SurfaceKind::plane;
+  const SurfaceKind* kind = &plane_kind;  ///< a row of the table of kinds
+  bool is_plane = true;                   ///< kind is &plane_kind: what hot loops ask
   /// Every leaf that owns the surface is bounded: only what happens in the frame's unit cube matters of it.
   bool is_local = true;
   /// False if a coefficient underflowed beside the largest one: then the doubles decide nothing.

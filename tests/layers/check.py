@@ -4,7 +4,8 @@
 
 Rooms and floors. A room is a folder that FLOORS names, with all that is below it and in no other room. A file includes
 its own room, and rooms on lower floors of its module or of the modules below it (BELOW). No rooms include each other in
-a circle. No room has more than 30 files.
+a circle. No room has more than 30 files; folders in it that are no rooms, such as those of the kinds of surfaces, count by
+themselves, but for detail/.
 
 Headers. Paths start with the module's name, and a .cpp includes its own header first. What stands in a room's detail/
 is for that room and the tests. The public headers of a module are those that its CMakeLists.txt lists: they include
@@ -69,6 +70,12 @@ MEMBER = re.compile(r"^(?=\S)(?:[\w:<>,&*\[\] ]+[ &*])?((?:\w+::)+)(?:~?\w+|oper
 def room_of(name):
     """The room that a file stands in; None if it is in none, as tests are."""
     return max((room for room in FLOOR if name.startswith(room + "/")), key=len, default=None)
+
+
+def folder_of(name, room):
+    """The folder that a file of a room counts for: the room with its detail/, or an inner folder."""
+    inner = name[len(room) + 1:].split("/")[0]
+    return room if inner == "detail" or inner == Path(name).name else f"{room}/{inner}"
 
 
 def includes(text):
@@ -233,7 +240,7 @@ def check(root):
         if name in public:
             yield from check_public(name, text)
         if room := room_of(name):
-            files_in[room] += 1
+            files_in[folder_of(name, room)] += 1
             edges[room] |= {other for _, _, path in includes(text) if (other := room_of(path)) and other != room}
         if name.endswith(".cpp") and name.split("/")[0] in MODULES:
             for owner in classes_in(text):

@@ -101,6 +101,10 @@ class Breach(unittest.TestCase):
         self.assert_breach("csg/exact:1: a room of 31 files",
                            {f"csg/exact/{'detail/' if i > 20 else ''}a{i}.h": "" for i in range(31)})
 
+    def test_an_inner_folder_of_31_files(self):
+        self.assert_breach("raycast/surface/torus:1: a room of 31 files",
+                           {f"raycast/surface/torus/{'detail/' if i > 20 else ''}a{i}.h": "" for i in range(31)})
+
     def test_a_class_in_a_file_without_its_name(self):
         self.assert_breach("raycast/ray/locate.cpp:1: LineCaster is spread over 2 files",
                            {"raycast/ray/line_caster.cpp": "void LineCaster::begin() {}\n",
@@ -148,6 +152,10 @@ class NoBreach(unittest.TestCase):
     def test_its_own_private_header(self):
         self.assert_clean({"csg/exact/a.cpp": includes("csg/exact/detail/b.h"),
                            "csg/exact/detail/weld/c.h": includes("csg/exact/detail/b.h")})
+
+    def test_a_room_of_30_files_with_an_inner_folder(self):
+        files = {f"raycast/surface/a{i}.h": "" for i in range(30)}
+        self.assert_clean(files | {f"raycast/surface/torus/a{i}.h": "" for i in range(30)})
 
     def test_tests_see_everything(self):
         self.assert_clean({"tests/raycast/a_test.cpp": includes("raycast/ray/detail/b.h") + 'TEST_CASE("a") {}\n'})

@@ -24,7 +24,7 @@ std::optional<std::size_t> axis_of(const Surface& plane) {
 SceneRays::SceneRays(const Scene& scene, std::uint64_t seed)
     : box_(scene.bounded_leaves()), size_(length(box_.size())), random_(seed) {
   for (const Surface& surface : scene.surfaces()) {
-    if (surface.kind != SurfaceKind::plane) continue;
+    if (!surface.is_plane) continue;
     if (const auto axis = axis_of(surface))
       planes_[*axis].push_back(-surface.world[QuadricForm::one] / surface.world[QuadricForm::x + *axis]);
   }

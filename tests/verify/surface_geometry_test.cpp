@@ -19,7 +19,7 @@ std::vector<SurfaceId> all_surfaces(const Scene& scene) {
 
 SurfaceId the_quadric(const Scene& scene) {
   for (const SurfaceId id : all_surfaces(scene)) {
-    if (scene.surface(id).kind == SurfaceKind::quadric) return id;
+    if (!scene.surface(id).is_plane) return id;
   }
   return {};
 }

@@ -48,7 +48,7 @@ struct Direction {
 std::vector<Direction> normals_of(const Scene& scene) {
   std::map<std::array<std::int64_t, 3>, Direction> found;
   for (const Surface& surface : scene.surfaces()) {
-    if (surface.kind != SurfaceKind::plane || !surface.in_range) continue;
+    if (!surface.is_plane || !surface.in_range) continue;
     Row n = normalised({surface.local[Form::x], surface.local[Form::y], surface.local[Form::z]});
     // The normal is turned so that its first coordinate that is not next to zero is positive.
     const std::size_t leading = std::fabs(n[0]) > 0x1p-20L ? 0 : std::fabs(n[1]) > 0x1p-20L ? 1 : 2;

@@ -180,7 +180,7 @@ double revolved_off(const LaneSurface& surface, const CellBox& box) {
 
 LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned) {
   if (!surface.in_range) return {};
-  if (surface.kind == SurfaceKind::plane) return plane(surface, turned);
+  if (surface.is_plane) return plane(surface, turned);
   const LaneSurface round = sphere(surface);
   if (round.kind != LaneSurface::Kind::undecided) return round;
   const CellForm form = turned != nullptr ? *turned : CellForm{surface.local, surface.center};

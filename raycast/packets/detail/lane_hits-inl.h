@@ -53,12 +53,13 @@ HWY_INLINE Crossings<D> crossings_of(D d, const QuadraticLanes<D>& f, const Line
           hn::Gt(f.a, zero)};
 }
 
-/// tau of the crossing at which a quadric rises or falls.
+/// tau of the crossing at which a quadric rises or falls, and which of its crossings that is (Crossing::root).
 template <class D>
 HWY_INLINE hn::Vec<D> crossing_tau(D d, const Crossings<D>& crossings, const Surface& surface, hn::Mask<D> rises,
-                                   hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
+                                   hn::Vec<BitsOf<D>>& root, hn::Mask<D>& is_open) {
+  const BitsOf<D> bits;
   const auto second = hn::Not(hn::Xor(rises, crossings.opens));
-  is_second = hn::And(crossings.has_two, second);
+  root = hn::IfThenElseZero(hn::RebindMask(bits, hn::And(crossings.has_two, second)), hn::Set(bits, 1));
   // Of a surface that matters far away, too, exact arithmetic finds the other one and may number them otherwise.
   is_open = surface.is_local ? hn::MaskFromVec(hn::Zero(d)) : hn::Not(crossings.has_two);
   return hn::IfThenElse(second, crossings.upper, crossings.lower);
@@ -68,23 +69,24 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const Crossings<D>& crossings, const Sur
 /// filtered_departure as well.
 template <class D>
 HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> own,
-                                   hn::Mask<D> rises, hn::Mask<D>& is_second, hn::Mask<D>& is_open) {
+                                   hn::Mask<D> rises, hn::Vec<BitsOf<D>>& root, hn::Mask<D>& is_open) {
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto& k = surface.local;
-  if (surface.kind == SurfaceKind::plane) {
+  if (surface.is_plane) {
     const Triples<V> normal{hn::Set(d, k[Form::x]), hn::Set(d, k[Form::y]), hn::Set(d, k[Form::z])};
     const V value = hn::Add(dot(normal, line.near), hn::Set(d, k[Form::one]));
-    is_second = is_open = hn::MaskFromVec(hn::Zero(d));
+    is_open = hn::MaskFromVec(hn::Zero(d));
+    root = hn::Zero(BitsOf<D>());
     return hn::Div(hn::Neg(value), dot(normal, line.direction));
   }
   const QuadraticLanes<D> f = quadratic(d, line, surface);
   const Crossings<D> crossings = crossings_of(d, f, line, surface);
-  const V tau = crossing_tau(d, crossings, surface, rises, is_second, is_open);
+  const V tau = crossing_tau(d, crossings, surface, rises, root, is_open);
   if (hn::AllFalse(d, own)) return tau;
   const V middle = hn::Sub(f.origin, hn::Div(f.b, f.a));
   const V other = hn::Add(hn::Add(middle, middle), line.shift);
-  is_second = hn::AndNot(own, is_second);
+  root = hn::IfThenZeroElse(hn::RebindMask(BitsOf<D>(), own), root);
   is_open = hn::Or(is_open, hn::AndNot(crossings.has_two, own));
   return hn::IfThenElse(own, other, tau);
 }
@@ -97,14 +99,13 @@ struct CellCrossings {
 
   /// crossing_tau of the cell's i-th surface.
   HWY_INLINE hn::Vec<D> tau(D d, const LineLanes<D>& line, const Surface& surface, std::uint64_t i, hn::Mask<D> own,
-                            hn::Mask<D> rises, hn::Mask<D>& second, hn::Mask<D>& is_open) {
-    if (surface.kind == SurfaceKind::plane || !hn::AllFalse(d, own))
-      return crossing_tau(d, line, surface, own, rises, second, is_open);
+                            hn::Mask<D> rises, hn::Vec<BitsOf<D>>& root, hn::Mask<D>& is_open) {
+    if (surface.is_plane || !hn::AllFalse(d, own)) return crossing_tau(d, line, surface, own, rises, root, is_open);
     if (((known >> i) & 1) == 0) {
       crossings[i] = crossings_of(d, quadratic(d, line, surface), line, surface);
       known |= std::uint64_t{1} << i;
     }
-    return crossing_tau(d, crossings[i], surface, rises, second, is_open);
+    return crossing_tau(d, crossings[i], surface, rises, root, is_open);
   }
 };
 
@@ -134,7 +135,7 @@ HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const 
   using V = hn::Vec<D>;
   using Form = QuadricForm;
   const auto c = [&](std::size_t term) { return hn::Set(d, surface.local[term]); };
-  if (surface.kind == SurfaceKind::plane) return in_all_lanes(d, surface.normal);
+  if (surface.is_plane) return in_all_lanes(d, surface.normal);
   const V to_frame = hn::Set(d, power_of_two(-frame.exponent));
   const auto local = [&](V x, double center, double own) {
     return hn::Sub(hn::Mul(hn::Sub(x, hn::Set(d, center)), to_frame), hn::Set(d, own));
@@ -175,9 +176,9 @@ template <class D>
 struct Told {
   using V = hn::Vec<D>;
   V t;
-  hn::Mask<D> second;     ///< Crossing::root
-  hn::Mask<D> left;       ///< lanes that need the scalar code
-  hn::Mask<D> unrounded;  ///< lanes whose t needs it, where it is rounded
+  hn::Vec<BitsOf<D>> root;  ///< Crossing::root
+  hn::Mask<D> left;         ///< lanes that need the scalar code
+  hn::Mask<D> unrounded;    ///< lanes whose t needs it, where it is rounded
   Triples<V> place, normal;
 };
 
@@ -193,18 +194,20 @@ HWY_INLINE void tell_hits(D d, const Scene& scene, const LineLanes<D>& line, con
   const V zero = hn::Zero(d);
   V tau = zero;
   told.t = zero;
-  told.second = told.left = told.unrounded = hn::MaskFromVec(zero);
+  told.left = told.unrounded = hn::MaskFromVec(zero);
+  told.root = hn::Zero(bits);
   told.normal = told.place = {zero, zero, zero};
   for (auto rest = hits; !hn::AllFalse(d, rest);) {
     const std::uint64_t id = ids[static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
     const auto same = hn::And(rest, hn::RebindMask(d, hn::Eq(surfaces, hn::Set(bits, id))));
     rest = hn::AndNot(same, rest);
     const Surface& surface = scene.surfaces()[id];
-    hn::Mask<D> second, is_open;
+    hn::Vec<BitsOf<D>> root;
+    hn::Mask<D> is_open;
     const auto departing = own_lanes(d, departures, static_cast<std::uint32_t>(id));
-    const V own = crossing_tau(d, line, surface, departing, rises, second, is_open);
+    const V own = crossing_tau(d, line, surface, departing, rises, root, is_open);
     told.left = hn::Or(told.left, hn::And(same, is_open));
-    told.second = hn::Or(told.second, hn::And(same, second));
+    told.root = hn::IfThenElse(hn::RebindMask(bits, same), root, told.root);
     tau = hn::IfThenElse(same, own, tau);
     if (rounds) {
       V nearest;

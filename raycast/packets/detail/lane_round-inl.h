@@ -66,7 +66,7 @@ HWY_INLINE Residual<D> residual_at(D d, const LineLanes<D>& line, const Surface&
   };
   for (std::size_t axis = 0; axis < 3; ++axis) add(Form::x + axis, q[axis]);
   Triples<V> gradient{c(Form::x), c(Form::y), c(Form::z)};
-  if (surface.kind != SurfaceKind::plane) {
+  if (!surface.is_plane) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (surface.local[Form::xx + axis] != 0) add(Form::xx + axis, product_of(d, q[axis], q[axis]));
     }

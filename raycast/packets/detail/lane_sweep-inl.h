@@ -289,10 +289,11 @@ class Sweep {
     const D d;
     const Slot& slot = cells_.slots[slot_of(cell, end.slot)];
     const Surface& surface = scene_.surfaces()[slot.surface];
-    M second, is_open;
-    const V tau = crossings_.tau(d, line_, surface, end.slot, false, end.rises(), second, is_open);
+    U root;
+    M is_open;
+    const V tau = crossings_.tau(d, line_, surface, end.slot, false, end.rises(), root, is_open);
     flag(is_open);
-    ends_->add(true, (line_.shift + tau) * line_.unit, slot.surface | std::uint64_t{second} << 32,
+    ends_->add(true, (line_.shift + tau) * line_.unit, slot.surface | root << 32,
                slot.leaf | std::uint64_t{slot.look} << 32);
     ++count_;
   }
@@ -343,12 +344,13 @@ class Sweep {
       rest = hn::AndNot(same, rest);
       const Slot& slot = cells_.slots[slot_of(cell, i)];
       const std::uint32_t id = slot.surface;
-      M second, is_open;
+      U root;
+      M is_open;
       const Surface& surface = scene_.surfaces()[id];
       const M own_surface = own_lanes(d, departures_, id);
       const bool keeps = is_gathered(cell);  // both ends of what was gathered are likely to be wanted
-      const V tau = keeps ? crossings_.tau(d, line_, surface, i, own_surface, rises, second, is_open)
-                          : crossing_tau(d, line_, surface, own_surface, rises, second, is_open);
+      const V tau = keeps ? crossings_.tau(d, line_, surface, i, own_surface, rises, root, is_open)
+                          : crossing_tau(d, line_, surface, own_surface, rises, root, is_open);
       flag(hn::And(same, is_open));
       V own = hn::Mul(hn::Add(line_.shift, tau), line_.unit);
       if (rounds_) {
@@ -358,9 +360,8 @@ class Sweep {
         unrounded_ = hn::Or(unrounded_, hn::AndNot(certain, same));
       }
       t = hn::IfThenElse(same, own, t);
-      const U root = hn::IfThenElseZero(hn::RebindMask(bits, second), hn::Set(bits, std::uint64_t{1} << 32));
       const auto in_bits = hn::RebindMask(bits, same);
-      where = hn::IfThenElse(in_bits, hn::Or(hn::Set(bits, id), root), where);
+      where = hn::IfThenElse(in_bits, hn::Or(hn::Set(bits, id), hn::ShiftLeft<32>(root)), where);
       face = hn::IfThenElse(in_bits, hn::Set(bits, slot.leaf | std::uint64_t{slot.look} << 32), face);
       if (!wants_normals_) continue;
       const Triples<V> place = place_of(d, line_, scene_.frame(), tau);

@@ -77,6 +77,13 @@ HWY_INLINE void store_bytes(unsigned bits, std::uint8_t* to, std::size_t count) 
   std::memcpy(to, &bytes, count);
 }
 
+template <class D>
+HWY_INLINE void store_roots(D, hn::Vec<BitsOf<D>> roots, std::uint8_t* to, std::size_t count) {
+  HWY_ALIGN std::uint64_t buffer[16];
+  hn::Store(roots, BitsOf<D>(), buffer);
+  for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::uint8_t>(buffer[i]);
+}
+
 /// Adds the rays in some lanes to a list.
 HWY_INLINE void add_lanes(std::vector<std::uint32_t>& rays, std::size_t first, unsigned lanes) {
   for (; lanes != 0; lanes &= lanes - 1)
@@ -103,7 +110,7 @@ HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells
   if (hits.rounds) add_lanes(*hits.unrounded, first, lane_bits(d, told.unrounded));
   store_lanes(d, told.t, faces.t + first, count);
   store_ids(d, owners.surface, faces.surface + first, count);
-  if (faces.root != nullptr) store_bytes(lane_bits(d, told.second), faces.root + first, count);
+  if (faces.root != nullptr) store_roots(d, told.root, faces.root + first, count);
   if (!wants_faces) return told.left;
   store_lanes(d, told.place, faces.point, first, count);
   store_lanes(d, told.normal, faces.normal, first, count);

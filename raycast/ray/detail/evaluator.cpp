@@ -122,7 +122,7 @@ Span Evaluator::child_span(const Frame& frame) {
 std::optional<Interval> Evaluator::run_inside_planes(const Leaf& leaf) {
   Interval run{line_start(), line_end()};
   for (const HalfSpace& half_space : scene_.half_spaces(leaf)) {
-    if (scene_.surface(half_space.surface).kind != SurfaceKind::plane) continue;
+    if (!scene_.surface(half_space.surface).is_plane) continue;
     const LineCrossings& found = cache_.found(half_space.surface);
     const bool wants_positive = half_space.sense == Sense::positive;
     if (found.count == 0) {
@@ -145,7 +145,7 @@ void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list)
   if (!run) return;
   list.push_back(*run);
   for (const HalfSpace& half_space : scene_.half_spaces(leaf)) {
-    if (scene_.surface(half_space.surface).kind == SurfaceKind::plane) continue;
+    if (scene_.surface(half_space.surface).is_plane) continue;
     half_space_intervals(half_space);
     combine<Intersection>(list, half_space_, scratch_,
                           [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); });

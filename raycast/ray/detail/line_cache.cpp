@@ -36,7 +36,7 @@ Point LineCache::point(const Crossing& crossing) {
   // Without a bounded leaf the frame is the world's own, and no nearer to the place than the ray's start.
   if (!scene_.bounded_leaves().is_finite()) return line_.ray.at(crossing.t);
   const LineFrame& line = line_.in_frame;
-  const double tau = found(crossing.surface).tau[crossing.root];
+  const double tau = found(crossing.surface).tau(crossing.root);
   const Frame& frame = scene_.frame();
   Point p;
   for (std::size_t axis = 0; axis < 3; ++axis) {

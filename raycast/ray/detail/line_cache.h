@@ -32,7 +32,7 @@ class LineCache {
 
   const LineCrossings& found(SurfaceId id);
   Crossing crossing(SurfaceId id, std::uint8_t root) {
-    return {finite(line_.in_frame.t(found(id).tau[root])), id, root};
+    return {finite(line_.in_frame.t(found(id).tau(root))), id, root};
   }
   /// The crossing with the t to report.
   Crossing reported(const Crossing& crossing);

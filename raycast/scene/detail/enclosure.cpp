@@ -25,7 +25,7 @@ CellForm form_of(const Surface& surface) { return {surface.local, surface.center
 bool holds(const Scene& scene, const HalfSpace& half_space, const Box& box) {
   constexpr double clearance = 0x1p-40;
   const Surface& plane = scene.surface(half_space.surface);
-  if (plane.kind != SurfaceKind::plane || !plane.is_local || !plane.in_range || !box.is_finite()) return false;
+  if (!plane.is_plane || !plane.is_local || !plane.in_range || !box.is_finite()) return false;
   const CellBox place = in_frame(box, scene.frame());
   const LocalForm f = local_form(form_of(plane), place);
   const Vector half = 0.5 * (place.upper - place.lower);
@@ -65,7 +65,7 @@ bool has_sound_normals(const Scene& scene, const Surface& surface, Sense sense) 
 bool leads_away(const Scene& scene, const HalfSpace& half_space) {
   const Surface& surface = scene.surface(half_space.surface);
   if (!surface.in_range) return false;
-  if (surface.kind == SurfaceKind::plane) return true;
+  if (surface.is_plane) return true;
   if (!has_sound_normals(scene, surface, half_space.sense)) return false;
   const QuadricForm form = surface.exact.unpacked();
   return is_convex(half_space.sense == Sense::negative ? form : -form);

@@ -6,36 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "raycast/surface/detail/line_memory.h"
+
 namespace csgcast::detail {
 namespace {
 
 using Form = QuadricForm;
-
-int sign_of_sum(const Dyadic& a, const Dyadic& b) { return (a + b).sign(); }
-
-Dyadic signed_square(const Dyadic& a) { return a.sign() < 0 ? -(a * a) : a * a; }
-
-// The sign of x + y sqrt(d), d >= 0: by comparing squares where the terms pull apart.
-int sign_with_root(const Dyadic& x, const Dyadic& y, const Dyadic& d) {
-  const int sx = x.sign();
-  const int sy = d.is_zero() ? 0 : y.sign();
-  if (sx == 0 || sy == 0 || sx == sy) return sx != 0 ? sx : sy;
-  return sign_of_sum(signed_square(x), signed_square(y) * d);
-}
-
-// The sign of x + y sqrt(d) + z sqrt(e), d, e >= 0.
-int sign_with_roots(const Dyadic& x, const Dyadic& y, const Dyadic& d, const Dyadic& z, const Dyadic& e) {
-  if (e.is_zero() || z.is_zero()) return sign_with_root(x, y, d);
-  if (d.is_zero() || y.is_zero()) return sign_with_root(x, z, e);
-  // r = y sqrt(d) + z sqrt(e), its sign by squares; then x against r: x² - r² = (x² - y² d - z² e) - 2 y z sqrt(d e).
-  const Dyadic yyd = y * y * d;
-  const Dyadic zze = z * z * e;
-  const int sr = y.sign() == z.sign() ? y.sign() : y.sign() * (yyd - zze).sign();
-  const int sx = x.sign();
-  if (sx == 0 || sr == 0 || sx == sr) return sx != 0 ? sx : sr;
-  const Dyadic two(2.0);
-  return sx * sign_with_root(x * x - yyd - zze, -two * y * z, d * e);
-}
 
 // floor(sqrt(value)) in units that leave at least `bits` significant bits.
 Dyadic square_root(const Dyadic& value, std::int64_t bits) {
@@ -76,13 +52,13 @@ void set_tau(const Line& line, LineCrossings& found, unsigned index, const Dyadi
   constexpr double most = std::numeric_limits<double>::max();
   const double tau =
       std::clamp((along - Dyadic(frame.shift)).nearest(), -most, most);  // beyond it the error below is infinite
-  found.tau[index] = tau;
+  found.few[index] = tau;
   const double error = 0x1p-52 * std::fabs(tau) + 0x1p-110 * std::fabs(along.nearest()) + 0x1p-1000;
   found.error = std::fmax(found.error, error);
 }
 
 ExactMemory& memory_of(const Line& line, ExactMemory& scratch) {
-  return line.memory != nullptr ? line.memory->state() : scratch;
+  return line.memory != nullptr ? line.memory->state().exact : scratch;
 }
 
 }  // namespace
@@ -99,7 +75,7 @@ ExactPolynomial::ExactPolynomial(const Line& line, SurfaceId id, const Surface& 
   const Dyadic dy(d.y);
   const Dyadic dz(d.z);
   const Dyadic two(2.0);
-  if (surface.kind == SurfaceKind::quadric) {
+  if (!surface.is_plane) {
     a = (k[Form::xx] * dx + k[Form::xy] * dy + k[Form::xz] * dz) * dx + (k[Form::yy] * dy + k[Form::yz] * dz) * dy +
         k[Form::zz] * dz * dz;
     b = (two * k[Form::xx] * x + k[Form::xy] * y + k[Form::xz] * z) * dx +
@@ -112,26 +88,6 @@ ExactPolynomial::ExactPolynomial(const Line& line, SurfaceId id, const Surface& 
     return;
   }
   c = form.at(o);
-}
-
-ExactRoot::ExactRoot(const ExactPolynomial& f, unsigned root) {
-  if (f.a.is_zero()) {
-    p = -f.c;
-    q = f.b;
-    return;
-  }
-  p = -f.b;
-  q = Dyadic(2.0) * f.a;
-  d = f.b * f.b - Dyadic(4.0) * f.a * f.c;
-  s = (root == 0) == (f.a.sign() > 0) ? -1 : 1;
-}
-
-// a - b = ((pa qb - pb qa) + sa qb sqrt(da) - sb qa sqrt(db)) / (qa qb)
-std::strong_ordering operator<=>(const ExactRoot& a, const ExactRoot& b) {
-  const Dyadic sa(static_cast<double>(a.s));
-  const Dyadic sb(static_cast<double>(-b.s));
-  const int sign = sign_with_roots(a.p * b.q - b.p * a.q, sa * b.q, a.d, sb * a.q, b.d);
-  return sign * a.q.sign() * b.q.sign() <=> 0;
 }
 
 ExactMemory::Known& ExactMemory::known(const Line& line, SurfaceId id, const Surface& surface) {
@@ -150,7 +106,7 @@ const ExactPolynomial& ExactMemory::polynomial(const Line& line, SurfaceId id, c
 const ExactRoot& ExactMemory::root(const Line& line, SurfaceId id, const Surface& surface, unsigned root) {
   Known& entry = known(line, id, surface);
   std::optional<ExactRoot>& known_root = entry.roots[root];
-  if (!known_root) known_root.emplace(entry.polynomial, root);
+  if (!known_root) known_root.emplace(entry.polynomial.root(root));
   return *known_root;
 }
 
@@ -168,14 +124,14 @@ LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& sur
     found.positive_before = is_linear && !f.c.is_zero() ? f.c.sign() > 0 : positive;
     if (is_linear || (f.b.sign() > 0) == positive) return found;
     found.count = 1;
-    set_tau(line, found, 0, f.b.sign() * f.c.sign() < 0 ? approximate(ExactRoot(f, 0), f) : Dyadic());
+    set_tau(line, found, 0, f.b.sign() * f.c.sign() < 0 ? approximate(f.root(0), f) : Dyadic());
     return found;
   }
   if (f.a.is_zero()) {
     found.positive_before = f.b.is_zero() ? f.c.sign() >= 0 : f.b.sign() < 0;
     if (f.b.is_zero()) return found;
     found.count = 1;
-    set_tau(line, found, 0, approximate(ExactRoot(f, 0), f));
+    set_tau(line, found, 0, approximate(f.root(0), f));
     return found;
   }
   found.positive_before = f.a.sign() > 0;

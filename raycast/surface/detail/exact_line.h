@@ -2,14 +2,14 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <deque>
 #include <optional>
 #include <vector>
 
 #include "csg/exact/dyadic.h"
-#include "raycast/surface/predicates.h"
+#include "raycast/line/exact_root.h"
+#include "raycast/surface/line_crossings.h"
 
 namespace csgcast::detail {
 
@@ -21,22 +21,9 @@ struct ExactPolynomial {
   Dyadic c;
 
   ExactPolynomial(const Line& line, SurfaceId id, const Surface& surface);
-};
-
-/// The last rung of the ladder: (p + s sqrt(d)) / q with integers (times powers of two) p, q, d >= 0 and s = -1, 0
-/// or 1.
-struct ExactRoot {
-  Dyadic p;
-  Dyadic q;
-  Dyadic d;
-  int s = 0;
-
   /// Root 0 is the lower one. Precondition: the polynomial has that root.
-  ExactRoot(const ExactPolynomial& f, unsigned root);
-  explicit ExactRoot(const Dyadic& value) : p(value), q(1.0) {}
+  ExactRoot root(unsigned number) const { return ExactRoot::of(a, b, c, number); }
 };
-
-std::strong_ordering operator<=>(const ExactRoot& a, const ExactRoot& b);
 
 /// Polynomials and roots of one line, by surface.
 class ExactMemory {
@@ -66,5 +53,3 @@ double exact_nearest_t(const Line& line, const CrossingView& crossing);
 ExactRoot exact_root(const Line& line, const CrossingView& crossing);
 
 }  // namespace csgcast::detail
-
-struct csgcast::LineMemory::State : csgcast::detail::ExactMemory {};

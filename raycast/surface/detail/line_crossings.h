@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raycast/surface/predicates.h"
+#include "raycast/surface/line_crossings.h"
 
 namespace csgcast::detail {
 
@@ -15,7 +15,7 @@ inline LineCrossings none(bool positive) {
 /// One crossing, its error still to be set.
 inline LineCrossings one(double tau, bool positive_before) {
   LineCrossings found = none(positive_before);
-  found.tau[0] = tau;
+  found.few[0] = tau;
   found.count = 1;
   return found;
 }

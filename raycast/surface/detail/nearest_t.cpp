@@ -6,14 +6,14 @@
 #include <cmath>
 #include <optional>
 
-#include "raycast/surface/detail/exact_line.h"
-#include "raycast/surface/detail/twofold_line.h"
+#include "raycast/surface/detail/twofold_form.h"
+#include "raycast/surface/kind.h"
 
 namespace csgcast::detail {
 namespace {
 
 using Form = QuadricForm;
-constexpr double u = 0x1p-53;
+constexpr double u = unit_roundoff;
 
 using Point2 = std::array<Twofold, 3>;
 
@@ -35,7 +35,7 @@ Twofold value_at(const Surface& surface, const Point2& q) {
     if (surface.local[i] != 0) sum = sum + coefficient(i) * factor();
   };
   for (std::size_t axis = 0; axis < 3; ++axis) add(Form::x + axis, [&] { return q[axis]; });
-  if (surface.kind == SurfaceKind::plane) return sum;
+  if (surface.is_plane) return sum;
   for (std::size_t axis = 0; axis < 3; ++axis) add(Form::xx + axis, [&] { return q[axis] * q[axis]; });
   add(Form::xy, [&] { return q[0] * q[1]; });
   add(Form::xz, [&] { return q[0] * q[2]; });
@@ -102,17 +102,12 @@ std::optional<double> newton(const LineFrame& line, const CrossingView& crossing
 
 }  // namespace
 
-double nearest_t(const Line& line, const CrossingView& crossing, ExactCalls& calls) {
+std::optional<double> nearest_t(const Line& line, const CrossingView& crossing) {
   // A departure's form is another one; there is no need for speed.
-  const bool plain = crossing.id != line.departure && crossing.surface->in_range && line.in_frame.in_range;
-  if (plain) {
-    if (const std::optional<double> t = newton(line.in_frame, crossing)) return *t;
-    if (const std::optional<TwofoldRoot> root = twofold_root(line.in_frame, crossing)) {
-      if (const std::optional<double> t = rounded(line.in_frame, root->tau.high, root->tau.low, root->error)) return *t;
-    }
-  }
-  ++calls.rounding;
-  return exact_nearest_t(line, crossing);
+  if (crossing.id == line.departure || !crossing.surface->in_range || !line.in_frame.in_range) return std::nullopt;
+  if (const std::optional<double> t = newton(line.in_frame, crossing)) return t;
+  const std::optional<TwofoldRoot> root = crossing.surface->kind->twofold_root(line, crossing);
+  return root ? rounded(line.in_frame, root->tau.high, root->tau.low, root->error) : std::nullopt;
 }
 
 }  // namespace csgcast::detail

@@ -43,7 +43,7 @@ double kahan_discriminant(const Quadratic& f) {
 LineCrossings two(double tau, double other_tau, bool positive_before) {
   LineCrossings found = none(positive_before);
   if (tau > other_tau) std::swap(tau, other_tau);
-  found.tau = {tau, other_tau};
+  found.few = {tau, other_tau};
   found.count = tau < other_tau ? 2 : 0;
   return found;
 }
@@ -72,7 +72,7 @@ LineCrossings from_world(const Line& line, const Surface& surface, Discriminant 
   const Vector o = line.ray.origin() - Point{};
   const Vector d = line.ray.direction();
   const auto tau = [&line](double t) { return tau_of(line.in_frame, t); };
-  if (surface.kind == SurfaceKind::plane) {
+  if (surface.is_plane) {
     const Vector normal{k[Form::x], k[Form::y], k[Form::z]};
     const double value = dot(normal, o) + k[Form::one];
     const double slope = dot(normal, d);
@@ -137,7 +137,7 @@ LineCrossings kahan_crossings(const Line& line, SurfaceId, const Surface& surfac
 
 LineCrossings shifted_crossings(const Line& line, SurfaceId, const Surface& surface, ExactCalls&) {
   const Vector start = from_center(line, surface);
-  const bool is_plane = surface.kind == SurfaceKind::plane;
+  const bool is_plane = surface.is_plane;
   return guessing_error(
       is_plane ? shifted_plane(line.in_frame, surface, start) : shifted_quadric(line.in_frame, surface, start),
       longest(start));

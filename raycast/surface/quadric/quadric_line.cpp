@@ -1,33 +1,49 @@
 // SPDX-License-Identifier: MIT
-#include "raycast/surface/detail/line_filter.h"
+#include "raycast/surface/quadric/quadric.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "raycast/surface/detail/bounded.h"
 #include "raycast/surface/detail/line_crossings.h"
-#include "raycast/surface/detail/quadric_line.h"
 
 namespace csgcast::detail {
 namespace {
 
 using Form = QuadricForm;
-constexpr double u = 0x1p-53;
-// The computed error bounds are sums of a few positive terms, rounded themselves: by less than this share.
-constexpr double rounding_of_bounds = 1 + 0x1p-40;
-// From anywhere on the line near its closest approach, the frame's unit cube is within |s| <= reach: the approach to a
-// center in the cube is at most as far from a point of the cube as the cube's diagonal, 2 sqrt(3), and |direction|
-// >= 1.
-constexpr double reach = 4;
 
-struct Bounded {
-  double value;
-  double error;
-
-  bool is_certain() const { return std::fabs(value) > error; }
-  double least() const { return std::fabs(value) - error; }
-  double most() const { return std::fabs(value) + error; }
+// f = a s² + 2 b s + c with s = tau - origin, about the line's closest approach to the surface's center, where the
+// least cancels.
+struct QuadricOnLine {
+  double a;
+  double b;
+  double c;
+  double origin;
+  Vector start;  // from the center to the line's `near`
+  Vector q;      // from the center to the closest approach
 };
+
+QuadricOnLine quadric_on_line(const LineFrame& line, const Surface& quadric) {
+  const auto& k = quadric.local;
+  const auto times_matrix = [&k](Vector v) {
+    return Vector{k[Form::xx] * v.x + 0.5 * (k[Form::xy] * v.y + k[Form::xz] * v.z),
+                  k[Form::yy] * v.y + 0.5 * (k[Form::xy] * v.x + k[Form::yz] * v.z),
+                  k[Form::zz] * v.z + 0.5 * (k[Form::xz] * v.x + k[Form::yz] * v.y)};
+  };
+  const Vector d = line.direction;
+  const Vector start = line.near - quadric.center;
+  const double origin = -dot(start, d) * line.inverse_squared;
+  const Vector q = start + origin * d;
+  const Vector linear{k[Form::x], k[Form::y], k[Form::z]};
+  const Vector image = times_matrix(d);
+  return {dot(d, image),
+          dot(q, image) + 0.5 * dot(linear, d),
+          dot(q, times_matrix(q)) + dot(linear, q) + k[Form::one],
+          origin,
+          start,
+          q};
+}
 
 // f(q + s d) = a s² + 2 b s + c about the line's closest approach to the surface's center, at tau = origin.
 struct Quadratic {
@@ -44,14 +60,14 @@ Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
   // |start| on each axis.
   const double size = longest(f.q);
   const double e = longest(line.direction);
-  const double off = (line.near_error + u * (3 * longest(f.start) + size)) * rounding_of_bounds;
+  const double off = (line.near_error + unit_roundoff * (3 * longest(f.start) + size)) * rounding_of_bounds;
   const double bend = surface.second_degree;
   const double slope = surface.first_degree;
   // Seven roundings in a, eight in b, ten in c, each coefficient's own included; then what q's error does to b and c.
-  const double error_a = 8 * u * bend * e * e;
-  const double error_b = (9 * u * (bend * size + slope) + bend * off) * e;
-  const double error_c =
-      11 * u * ((bend * size + slope) * size + surface.constant) + (2 * bend * size + slope + bend * off) * off;
+  const double error_a = 8 * unit_roundoff * bend * e * e;
+  const double error_b = (9 * unit_roundoff * (bend * size + slope) + bend * off) * e;
+  const double error_c = 11 * unit_roundoff * ((bend * size + slope) * size + surface.constant) +
+                         (2 * bend * size + slope + bend * off) * off;
   return {{f.a, error_a * rounding_of_bounds},
           {f.b, error_b * rounding_of_bounds},
           {f.c, error_c * rounding_of_bounds},
@@ -69,25 +85,26 @@ std::optional<LineCrossings> none_within_reach(const Quadratic& f, const Surface
 std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surface, Bounded discriminant) {
   const double root = std::sqrt(discriminant.value);
   // |sqrt(D) - sqrt(D')| <= |D - D'| / sqrt(D) for D' >= 0.
-  const double root_error = discriminant.error / root + u * root;
+  const double root_error = discriminant.error / root + unit_roundoff * root;
   // The sum that does not cancel, and the other root from the product of both. The sign of a zero b, which lanes may
   // compute otherwise, makes no difference.
   const double sum = f.b.value < 0 ? root - f.b.value : -(f.b.value + root);
-  const double sum_error = (f.b.error + root_error + u * std::fabs(sum)) * rounding_of_bounds;
+  const double sum_error = (f.b.error + root_error + unit_roundoff * std::fabs(sum)) * rounding_of_bounds;
   if (!(2 * sum_error < std::fabs(sum))) return std::nullopt;
   const double at_near = f.c.value / sum;
-  const double near_error = 2 * (f.c.error + std::fabs(at_near) * sum_error) / std::fabs(sum) + u * std::fabs(at_near);
+  const double near_error =
+      2 * (f.c.error + std::fabs(at_near) * sum_error) / std::fabs(sum) + unit_roundoff * std::fabs(at_near);
   const bool rises_at_near = f.b.value >= 0;  // f' is 2 root there, or -2 root
 
   LineCrossings found;
   if (2 * f.a.error < std::fabs(f.a.value)) {
     const double at_far = sum / f.a.value;
     const double far_error =
-        2 * (sum_error + std::fabs(at_far) * f.a.error) / std::fabs(f.a.value) + u * std::fabs(at_far);
+        2 * (sum_error + std::fabs(at_far) * f.a.error) / std::fabs(f.a.value) + unit_roundoff * std::fabs(at_far);
     const double largest = std::max(std::fabs(at_near), std::fabs(at_far)) + std::fabs(f.origin);
-    found.tau = {f.origin + at_near, f.origin + at_far};
-    if (at_near > at_far) std::swap(found.tau[0], found.tau[1]);
-    found.error = (std::max(near_error, far_error) + 2 * u * largest) * rounding_of_bounds;
+    found.few = {f.origin + at_near, f.origin + at_far};
+    if (at_near > at_far) std::swap(found.few[0], found.few[1]);
+    found.error = (std::max(near_error, far_error) + 2 * unit_roundoff * largest) * rounding_of_bounds;
     found.count = 2;
     found.positive_before = f.a.value > 0;
     return found;
@@ -95,60 +112,21 @@ std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surfac
   // The sign of a is open: the far root is at least this far out, on one side or the other.
   if (!surface.is_local || !((std::fabs(sum) - sum_error) > reach * f.a.most() * rounding_of_bounds))
     return std::nullopt;
-  found.tau[0] = f.origin + at_near;
-  found.error = (near_error + 2 * u * (std::fabs(at_near) + std::fabs(f.origin))) * rounding_of_bounds;
+  found.few[0] = f.origin + at_near;
+  found.error = (near_error + 2 * unit_roundoff * (std::fabs(at_near) + std::fabs(f.origin))) * rounding_of_bounds;
   found.count = 1;
   found.positive_before = !rises_at_near;
   return found;
 }
 
-// A coefficient, a product and two additions in each term.
-Bounded slope_of(const LineFrame& line, const Surface& plane) {
-  return {plane_on_line(line, plane).slope, 5 * u * plane.first_degree * longest(line.direction)};
-}
-
-// Exactly, every product having a factor zero.
-bool is_parallel(const LineFrame& line, const Surface& plane) {
-  const auto vanishes = [&](Form::Term term, double d) { return plane.local[term] == 0 || d == 0; };
-  const Vector d = line.direction;
-  return vanishes(Form::x, d.x) && vanishes(Form::y, d.y) && vanishes(Form::z, d.z);
-}
-
-}  // namespace
-
-std::optional<LineCrossings> filtered_plane(const LineFrame& line, const Surface& plane) {
-  if (!plane.in_range || !line.in_range) return std::nullopt;
-  const double size = longest(line.near);
-  const Bounded slope = slope_of(line, plane);
-  // The value has one addition more than the slope, and the error of `near`.
-  const PlaneOnLine f = plane_on_line(line, plane);
-  const Bounded value{f.value,
-                      (6 * u * (plane.first_degree * size + plane.constant) + plane.first_degree * line.near_error) *
-                          rounding_of_bounds};
-  if (2 * slope.error < std::fabs(slope.value)) {
-    LineCrossings found;
-    const double tau = -value.value / slope.value;
-    found.tau[0] = tau;
-    found.error = (2 * (value.error + std::fabs(tau) * slope.error) / std::fabs(slope.value) + u * std::fabs(tau)) *
-                  rounding_of_bounds;
-    found.count = 1;
-    found.positive_before = slope.value < 0;
-    return found;
-  }
-  if (is_parallel(line, plane) && value.is_certain()) return none(value.value > 0);
-  // Nearly so: the crossing, if there is one, lies out of reach.
-  const double farthest = (reach + 2 * size) * slope.most() * rounding_of_bounds;
-  if (plane.is_local && value.least() > farthest) return none(value.value > 0);
-  return std::nullopt;
-}
-
-std::optional<LineCrossings> filtered_quadric(const LineFrame& line, const Surface& quadric) {
+std::optional<LineCrossings> crossings(const LineFrame& line, const Surface& quadric) {
   if (!quadric.in_range || !line.in_range) return std::nullopt;
   const Quadratic f = restrict_to_line(line, quadric);
   const double bb = f.b.value * f.b.value;
   const double ac = f.a.value * f.c.value;
   const double d_error = 2 * std::fabs(f.b.value) * f.b.error + f.b.error * f.b.error +
-                         std::fabs(f.a.value) * f.c.error + f.a.error * f.c.most() + 3 * u * (bb + std::fabs(ac));
+                         std::fabs(f.a.value) * f.c.error + f.a.error * f.c.most() +
+                         3 * unit_roundoff * (bb + std::fabs(ac));
   const Bounded discriminant{bb - ac, d_error * rounding_of_bounds};
   if (discriminant.is_certain()) {
     if (discriminant.value > 0) return two_roots(f, quadric, discriminant);
@@ -159,14 +137,9 @@ std::optional<LineCrossings> filtered_quadric(const LineFrame& line, const Surfa
   return none_within_reach(f, quadric);
 }
 
-std::optional<LineCrossings> filtered_departure(const Line& line, const Surface& surface) {
+std::optional<LineCrossings> after_departure(const Line& line, const Surface& surface) {
   const bool positive = line.departure_side == Sense::positive;
   if (!surface.in_range || !line.in_frame.in_range) return std::nullopt;
-  if (surface.kind == SurfaceKind::plane) {
-    const Bounded slope = slope_of(line.in_frame, surface);
-    if (slope.is_certain()) return none(slope.value > 0);
-    return is_parallel(line.in_frame, surface) ? std::optional(none(positive)) : std::nullopt;
-  }
   // c is 0 at the start by definition: f = t (a t + 2 b). On the way f has the sign of the departure's side at first
   // and that of a in the end, so there is a crossing after the start exactly if these differ.
   const LineFrame& in_frame = line.in_frame;
@@ -179,12 +152,44 @@ std::optional<LineCrossings> filtered_departure(const Line& line, const Surface&
   const double other = 2 * middle - start;
   if (2 * f.a.error >= std::fabs(f.a.value) || !(other > start)) return std::nullopt;
   LineCrossings found = none(positive);
-  found.tau[0] = other;
+  found.few[0] = other;
   const double ratio_error = 2 * (f.b.error + std::fabs(f.b.value / f.a.value) * f.a.error) / std::fabs(f.a.value);
-  found.error =
-      (2 * ratio_error + 8 * u * (std::fabs(f.origin) + std::fabs(middle) + std::fabs(start))) * rounding_of_bounds;
+  found.error = (2 * ratio_error + 8 * unit_roundoff * (std::fabs(f.origin) + std::fabs(middle) + std::fabs(start))) *
+                rounding_of_bounds;
   found.count = 1;
   return found;
+}
+
+LineCrossings plain_crossings(const LineFrame& line, const Surface& surface) {
+  const QuadricOnLine f = quadric_on_line(line, surface);
+  const double discriminant = f.b * f.b - f.a * f.c;
+  if (f.a == 0) return f.b == 0 ? none(f.c >= 0) : one(f.origin - f.c / (2 * f.b), f.b < 0);
+  if (!(discriminant > 0)) return none(f.a > 0);
+  const double root = std::sqrt(discriminant);
+  const double sum = f.b < 0 ? root - f.b : -(f.b + root);
+  LineCrossings found = none(f.a > 0);
+  found.few = {f.origin + f.c / sum, f.origin + sum / f.a};
+  if (found.few[0] > found.few[1]) std::swap(found.few[0], found.few[1]);
+  found.count = found.few[0] < found.few[1] ? 2 : 0;
+  return found;
+}
+
+LineCrossings plain_departure(const Line& line, const Surface& surface) {
+  const bool positive = line.departure_side == Sense::positive;
+  const QuadricOnLine f = quadric_on_line(line.in_frame, surface);
+  if (f.a == 0 || (f.a > 0) == positive) return none(positive);
+  const double start = -line.in_frame.shift;
+  return one(std::fmax(2 * (f.origin - f.b / f.a) - start, start), positive);
+}
+
+}  // namespace
+
+std::optional<LineCrossings> filtered_quadric(const Line& line, SurfaceId id, const Surface& quadric) {
+  return id == line.departure ? after_departure(line, quadric) : crossings(line.in_frame, quadric);
+}
+
+LineCrossings uncertified_quadric(const Line& line, SurfaceId id, const Surface& quadric) {
+  return id == line.departure ? plain_departure(line, quadric) : plain_crossings(line.in_frame, quadric);
 }
 
 }  // namespace csgcast::detail

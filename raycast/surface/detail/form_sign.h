@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "raycast/surface/surface.h"
+
+namespace csgcast::detail {
+
+/// The sign of a surface's form at a point: in double where its bound allows it, else exactly.
+int form_sign_at(const Surface& surface, Point p);
+
+}  // namespace csgcast::detail

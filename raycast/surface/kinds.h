@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "raycast/surface/kind.h"
+
+namespace csgcast {
+
+/// The table of kinds, the plainest first: a form becomes a surface of the first kind that takes it.
+std::span<const SurfaceKind* const> surface_kinds();
+
+}  // namespace csgcast

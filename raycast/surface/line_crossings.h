@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "raycast/line/crossing.h"
+#include "raycast/line/line_frame.h"
+#include "raycast/line/ray.h"
+#include "raycast/surface/surface.h"
+
+namespace csgcast {
+
+/// What is kept of one line while it is asked about: what exact arithmetic found out, to be asked for again, and the
+/// crossings that do not fit into LineCrossings.
+class LineMemory {
+ public:
+  LineMemory();
+  ~LineMemory();
+  LineMemory(LineMemory&&) noexcept;
+
+  /// The line is another one: what was kept is gone, and its memory stays for the next one.
+  void forget();
+  /// Room for numbers, valid until forget().
+  std::span<double> room_for(std::size_t count);
+
+  struct State;
+  State& state() const { return *state_; }
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+/// The line of one ray, as the predicates see it.
+struct Line {
+  Line(const Ray& r, const Frame& frame, SurfaceId from = {}, Sense side = Sense::positive)
+      : ray(r), in_frame(r, frame), departure(from), departure_side(side) {}
+
+  Ray ray;
+  LineFrame in_frame;
+  SurfaceId departure;  ///< the surface that the ray starts on, exactly, by definition; or none
+  Sense departure_side = Sense::positive;
+  LineMemory* memory = nullptr;  ///< null: nothing is kept, and no surface may have more than two crossings
+};
+
+/// What one line meets of one surface f: its crossings in ascending order and the sign of f before the first.
+///
+/// A root of even multiplicity is no crossing. Where f vanishes along the whole line (a ray in a plane, a generator of
+/// a quadric) there is no crossing and the line is on the positive side. Of the surface that a ray departs from only
+/// what comes after the start is told: no crossing at t = 0. Of a local surface (surface.h) only crossings in the
+/// frame's unit cube are told for certain: one that lies outside may be missing.
+struct LineCrossings {
+  /// tau of the crossings, in the line's frame (line_frame.h).
+  union {
+    std::array<double, 2> few{};  ///< if there are no more than two
+    const double* many;           ///< of more: in the line's memory
+  };
+  double error = 0;  ///< bound on |tau - exact tau|, of all
+  std::uint8_t count = 0;
+  bool positive_before = true;
+
+  double tau(std::size_t root) const { return count <= 2 ? few[root] : many[root]; }
+  /// The sign of f after the first n crossings.
+  bool positive_after(unsigned n) const { return positive_before != ((n & 1u) != 0); }
+};
+
+/// A crossing with what the predicates need to know of it.
+struct CrossingView {
+  SurfaceId id;
+  const Surface* surface;
+  const LineCrossings* found;
+  std::uint8_t root;
+
+  double tau() const { return found->tau(root); }
+};
+
+/// Decisions that double left open: those that twofold arithmetic took, and the rest, by kind, that took exact numbers.
+struct ExactCalls {
+  std::uint64_t twofold = 0;
+  std::uint64_t existence = 0;
+  std::uint64_t order = 0;
+  std::uint64_t rounding = 0;  ///< of a reported t; decides no structure
+  std::uint64_t structural() const { return existence + order; }
+  std::uint64_t beyond_double() const { return twofold + structural(); }
+};
+
+}  // namespace csgcast

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "raycast/line/twofold_root.h"
+#include "raycast/surface/line_crossings.h"
+
+// Quadrics along a line: the rungs of their ladder that exact arithmetic does not share with other kinds.
+
+namespace csgcast::detail {
+
+/// Crossings in double with a bound on their error; nothing where the bound leaves open which exist.
+std::optional<LineCrossings> filtered_quadric(const Line& line, SurfaceId id, const Surface& quadric);
+/// The same formulas without their bounds: sudden wrong answers at tangents, edges and coincidences.  Source of the
+/// closest approach: Haines and Guenther 2019, Ray Tracing Gems, chapter 7, generalised.
+LineCrossings uncertified_quadric(const Line& line, SurfaceId id, const Surface& quadric);
+
+// In twofold arithmetic; nothing of the surface that the line departs from.
+std::optional<LineCrossings> twofold_quadric(const Line& line, SurfaceId id, const Surface& quadric);
+std::optional<TwofoldRoot> twofold_quadric_root(const Line& line, const CrossingView& crossing);
+
+}  // namespace csgcast::detail
