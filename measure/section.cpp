@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "csg/base/error.h"
+#include "csg/base/length.h"
 #include "measure/search/refinement.h"
 #include "measure/section/section_arcs.h"
 #include "raycast/cells/pieces.h"

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "csg/base/length.h"
+
 namespace csgcast::verify {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "csg/base/length.h"
 #include "raycast/surface/rounded_form.h"
 
 namespace csgcast {

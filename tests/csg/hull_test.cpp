@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "csg/base/length.h"
 #include "csg/exact/hull.h"
 
 #include <cmath>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "csg/solid/leaf_shape.h"
 #include "csg/text/statement/solid_text.h"
 
 #include <algorithm>

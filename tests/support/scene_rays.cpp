@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "csg/base/length.h"
+
 namespace csgcast::test {
 namespace {
 

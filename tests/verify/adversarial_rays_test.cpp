@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "csg/base/length.h"
 #include "verify/adversarial_rays.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "tests/support/catch.h"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "csg/base/length.h"
 #include "verify/surface_geometry.h"
 
 #include <array>
+#include <cmath>
 
 #include "raycast/surface/predicates.h"
 #include "tests/support/catch.h"

@@ -6,6 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "csg/base/length.h"
+
 namespace csgcast::detail {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "raycast/cells/build/cell_axes.h"
 #include "raycast/cells/build/cell_data.h"
 #include "raycast/cells/build/cut_look.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "csg/base/length.h"
 #include "csg/base/truth_table.h"
 #include "raycast/cells/build/cell_builder.h"
 #include "raycast/cells/formula/implications.h"

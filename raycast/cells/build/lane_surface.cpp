@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "raycast/cells/build/cell_data.h"
 
 // The constants by which lanes know what is certain. They hold for rays whose point near the frame's center lies within

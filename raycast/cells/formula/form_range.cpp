@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "csg/base/length.h"
+
 namespace csgcast::detail {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "csg/base/length.h"
 #include "raycast/surface/detail/exact_line.h"
 #include "raycast/surface/detail/twofold_line.h"
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "csg/base/length.h"
+
 namespace csgcast::detail {
 namespace {
 

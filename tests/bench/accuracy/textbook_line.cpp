@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "csg/base/length.h"
 #include "raycast/surface/detail/line_crossings.h"
 
 namespace csgcast::bench {
