@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "csg/exact/quadric_form.h"
 #include "raycast/surface/detail/exact_line.h"
 #include "raycast/surface/detail/line_filter.h"
 #include "raycast/surface/detail/nearest_t.h"

@@ -12,6 +12,8 @@ namespace csgcast {
 namespace {
 
 using Form = QuadricForm;
+
+static_assert(std::tuple_size_v<Surface::Coefficients> == Form::term_count);
 using Coefficients = Surface::Coefficients;
 using detail::in_coordinates;
 using detail::round_scaled;

@@ -14,7 +14,7 @@ enum class SurfaceKind : std::uint8_t { plane, quadric };
 
 /// One surface of the world, f(p) = 0: its canonical exact form, and floating-point forms of it that only ever filter.
 struct Surface {
-  using Coefficients = std::array<double, QuadricForm::term_count>;
+  using Coefficients = std::array<double, 10>;  ///< in the order of QuadricForm::Term
 
   SurfaceKind kind = SurfaceKind::plane;
   /// Every leaf that owns the surface is bounded: only what happens in the frame's unit cube matters of it.

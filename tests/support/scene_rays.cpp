@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 
 namespace csgcast::test {
 namespace {

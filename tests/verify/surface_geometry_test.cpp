@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "csg/base/length.h"
+#include "csg/exact/dyadic.h"
+#include "csg/exact/quadric_form.h"
 #include "verify/surface_geometry.h"
 
 #include <array>

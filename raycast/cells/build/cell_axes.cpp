@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 
 namespace csgcast::detail {
 namespace {

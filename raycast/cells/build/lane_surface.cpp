@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 #include "raycast/cells/build/cell_data.h"
 
 // The constants by which lanes know what is certain. They hold for rays whose point near the frame's center lies within

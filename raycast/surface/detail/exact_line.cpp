@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "csg/exact/quadric_form.h"
+
 namespace csgcast::detail {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 #include "raycast/surface/detail/exact_line.h"
 #include "raycast/surface/detail/twofold_line.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "csg/exact/quadric_form.h"
 #include "raycast/line/line_frame.h"
 #include "raycast/surface/surface.h"
 

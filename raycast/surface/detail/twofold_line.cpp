@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 
 namespace csgcast::detail {
 namespace {
