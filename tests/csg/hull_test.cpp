@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "csg/base/length.h"
 #include "csg/exact/hull.h"
 
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "csg/base/length.h"
 #include "csg/base/transform.h"
 #include "csg/exact/dyadic.h"
 #include "tests/support/catch.h"

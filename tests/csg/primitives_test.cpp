@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <limits>
 
 #include "csg/base/error.h"
+#include "csg/solid/leaf_shape.h"
 #include "tests/csg/membership.h"
 #include "tests/support/catch.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "csg/solid/leaf_shape.h"
 #include "csg/text/statement/solid_text.h"
 
 #include <algorithm>
 
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 #include "csg/solid/simplify.h"
 #include "csg/text/statement/builder.h"

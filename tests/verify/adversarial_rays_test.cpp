@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "csg/base/length.h"
 #include "verify/adversarial_rays.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "csg/base/length.h"
 #include "tests/support/catch.h"
 #include "tests/verify/models.h"
 

@@ -17,10 +17,10 @@
 
 namespace csgcast::detail {
 
-/// One walk over a tree, bottom up, that finds the box of every node in world coordinates. A
-/// node that is met again under the same composed transform is not walked again. Where exact composition would cost too
-/// much (thousands of nested transforms), the box of what is below is moved instead of the leaves: looser, but the cost
-/// of a level stays the same.
+/// One walk over a tree, bottom up, that finds the box of every node in world coordinates. A node that is met again
+/// under the same composed transform is not walked again. Where exact composition would cost too much (thousands of
+/// nested transforms), the box of what is below is moved instead of the leaves: looser, but the cost of a level stays
+/// the same.
 class BoundsWalk {
  public:
   BoundsWalk();
