@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "csg/base/error.h"
+#include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 #include "measure/search/refinement.h"
 #include "measure/section/section_arcs.h"
 #include "raycast/cells/pieces.h"

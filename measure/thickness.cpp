@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "raycast/packets/packet_caster.h"
 
 namespace csgcast {

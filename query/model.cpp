@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "csg/base/error.h"
+#include "csg/base/length.h"
 #include "raycast/packets/packet_caster.h"
 
 namespace csgcast {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "csg/base/length.h"
 #include "verify/surface_geometry.h"
 
 namespace csgcast::verify {

@@ -7,6 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "csg/base/length.h"
+#include "csg/exact/dyadic.h"
+#include "csg/exact/quadric_form.h"
+
 namespace csgcast::verify {
 namespace {
 

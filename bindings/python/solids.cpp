@@ -8,6 +8,7 @@
 #include "bindings/python/bind.h"
 #include "csg/base/transform.h"
 #include "csg/solid/bounds.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/parts.h"
 #include "csg/solid/primitives.h"
 #include "csg/text/syntax/color.h"

@@ -11,6 +11,7 @@
 #include "cli/output/json.h"
 #include "cli/output/printable.h"
 #include "cli/output/table.h"
+#include "csg/base/length.h"
 #include "csg/base/number_text.h"
 
 namespace csgcast::cli {

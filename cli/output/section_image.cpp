@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "measure/section_svg.h"
 #include "raycast/ray/caster.h"
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/length.h"
+
 namespace csgcast {
 
 bool Box::is_finite() const { return !is_null() && csgcast::is_finite(lower) && csgcast::is_finite(upper); }

@@ -22,19 +22,6 @@ std::string message(const Place& place, const std::string& problem, const std::s
 
 }  // namespace
 
-FileName::FileName(std::string name)
-    : name_(name.empty() ? nullptr : std::make_shared<const std::string>(std::move(name))) {}
-
-const std::string& FileName::string() const {
-  static const std::string none;
-  return name_ ? *name_ : none;
-}
-
-std::string to_string(const Place& place) {
-  if (place.line == 0) return place.file.string();
-  return fmt::format("{}:{}:{}", place.file.empty() ? "<scene>" : place.file.string(), place.line, place.column);
-}
-
 Error::Error(ErrorCode code, Place place, const std::string& problem, const std::string& why, const std::string& remedy)
     : std::runtime_error(message(place, problem, why, remedy)), code_(code), place_(std::move(place)) {}
 

@@ -1,40 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "csg/base/place.h"
+
 namespace csgcast {
-
-/// The name of a file. Copies share it: every node of a large scene has a place, and all are in one file.
-class FileName {
- public:
-  FileName() = default;
-  FileName(std::string name);  // NOLINT(google-explicit-constructor): a name is a string that is cheap to copy
-  FileName(const char* name) : FileName(std::string(name)) {}  // NOLINT(google-explicit-constructor)
-
-  const std::string& string() const;
-  bool empty() const { return name_ == nullptr; }
-  friend bool operator==(const FileName& a, const FileName& b) {
-    return a.name_ == b.name_ || a.string() == b.string();
-  }
-
- private:
-  std::shared_ptr<const std::string> name_;  // null: empty
-};
-
-/// Where in a scene text something stands; line 0 means that no place is known. Lines and columns count from 1, columns
-/// in bytes.
-struct Place {
-  FileName file;
-  int line = 0;
-  int column = 0;
-  friend bool operator==(const Place&, const Place&) = default;
-};
-
-/// `file:line:column`, or what is known of it.
-std::string to_string(const Place& place);
 
 enum class ErrorCode {
   syntax,        ///< the text does not follow the grammar

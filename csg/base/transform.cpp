@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "csg/base/length.h"
+
 namespace csgcast {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csg/exact/packed_form.h"
+#include "csg/exact/quadric_form.h"
 
 namespace csgcast {
 

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <vector>
 
+#include "csg/exact/quadric_form.h"
+
 namespace csgcast {
 namespace {
 
@@ -22,26 +24,20 @@ std::vector<std::byte> packed(const QuadricForm& form) {
 
 PackedForm::PackedForm(const QuadricForm& form) : PackedForm(packed(form)) {}
 
-PackedForm::PackedForm(std::span<const std::byte> content)
-    : bytes_(std::make_unique_for_overwrite<std::byte[]>(sizeof(Count) + content.size())) {
+PackedForm::PackedForm(std::span<const std::byte> content) : bytes_(new std::byte[sizeof(Count) + content.size()]) {
   const auto count = static_cast<Count>(content.size());
-  std::memcpy(bytes_.get(), &count, sizeof count);
-  std::memcpy(bytes_.get() + sizeof count, content.data(), content.size());
+  std::memcpy(bytes_, &count, sizeof count);
+  std::memcpy(bytes_ + sizeof count, content.data(), content.size());
 }
 
 PackedForm::PackedForm(const PackedForm& other) {
-  if (other.bytes_) *this = PackedForm(other.content());
-}
-
-PackedForm& PackedForm::operator=(const PackedForm& other) {
-  if (this != &other) *this = PackedForm(other);
-  return *this;
+  if (other.bytes_ != nullptr) *this = PackedForm(other.content());
 }
 
 std::span<const std::byte> PackedForm::content() const {
   Count count = 0;
-  std::memcpy(&count, bytes_.get(), sizeof count);
-  return {bytes_.get() + sizeof count, count};
+  std::memcpy(&count, bytes_, sizeof count);
+  return {bytes_ + sizeof count, count};
 }
 
 QuadricForm PackedForm::unpacked() const {

@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
-
-#include "csg/exact/quadric_form.h"
+#include <utility>
 
 namespace csgcast {
+
+struct QuadricForm;
 
 /// A form in as few bytes as its numbers take, for keeping: a ball's takes 60, where a QuadricForm takes 320. Equal
 /// forms have equal bytes.
@@ -17,10 +17,12 @@ class PackedForm {
   PackedForm() = default;  ///< no form; only to be assigned to
   explicit PackedForm(const QuadricForm& form);
   PackedForm(const PackedForm& other);
-  PackedForm(PackedForm&& other) noexcept = default;
-  PackedForm& operator=(const PackedForm& other);
-  PackedForm& operator=(PackedForm&& other) noexcept = default;
-  ~PackedForm() = default;
+  PackedForm(PackedForm&& other) noexcept : bytes_(std::exchange(other.bytes_, nullptr)) {}
+  PackedForm& operator=(PackedForm other) noexcept {
+    std::swap(bytes_, other.bytes_);
+    return *this;
+  }
+  ~PackedForm() { delete[] bytes_; }
 
   QuadricForm unpacked() const;
   std::uint64_t hash() const;
@@ -30,7 +32,8 @@ class PackedForm {
   explicit PackedForm(std::span<const std::byte> content);
   std::span<const std::byte> content() const;
 
-  std::unique_ptr<std::byte[]> bytes_;  // how many follow (a std::uint32_t), then the coefficients, packed, in order
+  // Owned: how many follow (a std::uint32_t), then the coefficients, packed, in order. Null: no form.
+  std::byte* bytes_ = nullptr;
 };
 
 }  // namespace csgcast

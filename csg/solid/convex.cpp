@@ -7,6 +7,7 @@
 #include "csg/exact/hull.h"
 #include "csg/solid/detail/leaf_forms.h"
 #include "csg/solid/detail/polyhedron_bounds.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 
 namespace csgcast {

@@ -11,6 +11,7 @@
 #include "csg/exact/directed.h"
 #include "csg/solid/bounds.h"
 #include "csg/solid/detail/form_bounds.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/solid.h"
 
 namespace csgcast {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "csg/base/length.h"
 #include "csg/exact/hull.h"
 #include "csg/solid/mesh.h"
 

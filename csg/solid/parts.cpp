@@ -2,9 +2,12 @@
 #include "csg/solid/parts.h"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+
+#include "csg/base/tree_walk.h"
 
 namespace csgcast {
 namespace {
@@ -14,69 +17,55 @@ using Kind = Solid::Kind;
 // Whether parts below such a node are parts of the whole.
 bool hands_on_parts(Kind kind) { return kind == Kind::unite || kind == Kind::transform || kind == Kind::look; }
 
-// A walk from the leaves up with a stack of its own; a shared node is walked once.
+// What is left of each node, from the leaves up; a shared node is walked once.
 class Selection {
  public:
   explicit Selection(std::span<const std::string> names) : names_(names.begin(), names.end()) {}
 
   Solid run(const Solid& root) {
-    visit(root);
-    while (!frames_.empty()) {
-      Frame& top = frames_.back();
-      if (top.next_child < top.solid->children().size()) {
-        visit(top.solid->children()[top.next_child++]);
-      } else {
-        const Frame done = std::move(top);
-        frames_.pop_back();
-        hand_up(shared_.insert_or_assign(done.solid->identity(), rebuilt(done)).first->second);
-      }
-    }
-    return result_;
+    TreeWalk<const Solid, Kept> walk;
+    const Kept whole = walk.run(
+        {&root, 1}, Kept{}, [this](const Solid& solid, Kept& above) { return enter(solid, above); },
+        [](const Solid& solid) { return solid.children(); },
+        [this](const Solid& solid, Kept kept, Kept& above) {
+          keep(shared_.insert_or_assign(solid.identity(), rebuilt(solid, std::move(kept))).first->second, above);
+        });
+    return whole.empty() ? Solid() : whole.front();
   }
 
  private:
-  struct Frame {
-    const Solid* solid = nullptr;
-    std::size_t next_child = 0;
-    std::vector<Solid> kept;  // children that are not empty
-  };
+  using Kept = std::vector<Solid>;  // children that are not empty
 
-  void visit(const Solid& solid) {
+  std::optional<Kept> enter(const Solid& solid, Kept& above) const {
     const auto known = shared_.find(solid.identity());
     if (known != shared_.end()) {
-      hand_up(known->second);
+      keep(known->second, above);
     } else if (hands_on_parts(solid.kind())) {
-      frames_.emplace_back().solid = &solid;
+      return Kept{};
     } else if (solid.kind() == Kind::part && names_.contains(solid.part().name)) {
-      hand_up(solid);
+      keep(solid, above);
     }
+    return std::nullopt;
   }
 
-  void hand_up(const Solid& solid) {
-    if (frames_.empty()) {
-      result_ = solid;
-    } else if (solid.kind() != Kind::empty) {
-      frames_.back().kept.push_back(solid);
-    }
+  static void keep(const Solid& solid, Kept& above) {
+    if (solid.kind() != Kind::empty) above.push_back(solid);
   }
 
-  static Solid rebuilt(const Frame& frame) {
-    const Solid& solid = *frame.solid;
-    if (frame.kept.empty()) return {};
+  static Solid rebuilt(const Solid& solid, Kept kept) {
+    if (kept.empty()) return {};
     switch (solid.kind()) {
       case Kind::transform:
-        return transformed(frame.kept.front(), solid.transform()).at(solid.place());
+        return transformed(kept.front(), solid.transform()).at(solid.place());
       case Kind::look:
-        return with_look(frame.kept.front(), solid.look()).at(solid.place());
+        return with_look(kept.front(), solid.look()).at(solid.place());
       default:
-        return frame.kept.size() == 1 ? frame.kept.front() : unite(frame.kept).at(solid.place());
+        return kept.size() == 1 ? kept.front() : unite(std::move(kept)).at(solid.place());
     }
   }
 
   std::unordered_set<std::string> names_;
   std::unordered_map<const void*, Solid> shared_;
-  std::vector<Frame> frames_;
-  Solid result_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "csg/solid/detail/leaf_forms.h"
+#include "csg/solid/leaf_shape.h"
 
 namespace csgcast {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "csg/solid/detail/form_bounds.h"
 #include "csg/solid/detail/leaf_forms.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 
 namespace csgcast {

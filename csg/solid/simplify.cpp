@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "csg/solid/simplify.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "csg/base/tree_walk.h"
 #include "csg/solid/detail/growing_solid.h"
 
 namespace csgcast {
@@ -30,65 +33,49 @@ std::unordered_map<const void*, std::uint32_t> count_parents(const Solid& root) 
   return parents;
 }
 
-// A walk from the leaves up with a stack of its own.
 class Simplifier {
  public:
   explicit Simplifier(const Solid& root) : root_(root), parents_(count_parents(root)) {}
 
   Solid run() {
-    enter(root_);
-    for (;;) {
-      Frame& top = frames_.back();
-      if (top.next_child < top.solid->children().size()) {
-        visit(top.solid->children()[top.next_child++]);
-        continue;
-      }
-      GrowingSolid result = leave();
-      if (frames_.empty()) return std::move(result).finished();
-      receive(std::move(result));
-    }
+    TreeWalk<const Solid, Level> walk;
+    Level whole = walk.run(
+        {&root_, 1}, Level{}, [this](const Solid& solid, Level& above) { return enter(solid, above); },
+        [](const Solid& solid) { return solid.children(); },
+        [this](const Solid& solid, Level level, Level& above) { above.add(leave(solid, std::move(level.value))); });
+    return std::move(whole.value).finished();
   }
 
  private:
-  struct Frame {
-    const Solid* solid = nullptr;
-    std::size_t next_child = 0;
-    GrowingSolid value;  // of a Boolean operator: grows child by child; of another node: the child
-  };
-
   static bool is_boolean(Kind kind) { return kind == Kind::unite || kind == Kind::intersect || kind == Kind::subtract; }
 
-  void enter(const Solid& solid) {
-    Frame& frame = frames_.emplace_back();
-    frame.solid = &solid;
-    if (solid.children().empty()) frame.value = GrowingSolid(solid, false);
-  }
+  struct Level {
+    const Solid* boolean = nullptr;  // the node, if it is a Boolean operator
+    std::size_t children = 0;        // of it, so far
+    GrowingSolid value{};            // of a Boolean operator: grows child by child; of another node: the child
 
-  void visit(const Solid& child) {
-    const auto known = shared_.find(child.identity());
+    void add(GrowingSolid child) {
+      if (boolean != nullptr) {
+        value.append(*boolean, children++, std::move(child));
+      } else {
+        value = std::move(child);
+      }
+    }
+  };
+
+  std::optional<Level> enter(const Solid& solid, Level& above) {
+    const auto known = shared_.find(solid.identity());
     if (known != shared_.end()) {
-      receive(known->second);
-    } else if (child.children().empty()) {
-      receive(GrowingSolid(child, false));
+      above.add(known->second);
+    } else if (solid.children().empty()) {
+      above.add(GrowingSolid(solid, false));
     } else {
-      enter(child);
+      return Level{is_boolean(solid.kind()) ? &solid : nullptr};
     }
+    return std::nullopt;
   }
 
-  void receive(GrowingSolid child) {
-    Frame& parent = frames_.back();
-    if (is_boolean(parent.solid->kind())) {
-      parent.value.append(*parent.solid, parent.next_child - 1, std::move(child));
-    } else {
-      parent.value = std::move(child);
-    }
-  }
-
-  GrowingSolid leave() {
-    Frame frame = std::move(frames_.back());
-    frames_.pop_back();
-    const Solid& solid = *frame.solid;
-    GrowingSolid result = std::move(frame.value);
+  GrowingSolid leave(const Solid& solid, GrowingSolid result) {
     if (is_boolean(solid.kind())) {
       result.close(solid);
     } else {
@@ -101,7 +88,7 @@ class Simplifier {
     return result;
   }
 
-  // A node with one child, or none, over its simplified child.
+  // A node with one child, over its simplified child.
   static GrowingSolid rebuilt(const Solid& solid, GrowingSolid child) {
     switch (solid.kind()) {
       case Kind::complement:
@@ -135,7 +122,6 @@ class Simplifier {
   const Solid& root_;
   std::unordered_map<const void*, std::uint32_t> parents_;
   std::unordered_map<const void*, GrowingSolid> shared_;
-  std::vector<Frame> frames_;
 };
 
 }  // namespace

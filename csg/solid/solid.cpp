@@ -6,6 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "csg/exact/affine.h"
+#include "csg/solid/leaf_shape.h"
+
 namespace csgcast {
 
 const char* word(LeafKind kind) {
@@ -14,7 +17,7 @@ const char* word(LeafKind kind) {
   return words[static_cast<std::size_t>(kind)];
 }
 
-struct Solid::Node {
+struct Solid::Node : Counted {
   static constexpr std::uint64_t most_leaves = std::numeric_limits<std::uint64_t>::max();
 
   Kind kind = Kind::empty;
@@ -29,23 +32,16 @@ struct Solid::Node {
       leaf_count = more > most_leaves - leaf_count ? most_leaves : leaf_count + more;
     }
   }
-  Node(const Node&) = delete;
-  Node& operator=(const Node&) = delete;
-  Node(Node&&) = delete;
-  Node& operator=(Node&&) = delete;
-
-  // Takes the tree apart with a list of its own: a chain of a million nodes must not recurse. No node is made const
-  // (see make).
-  ~Node() {
+  // Takes the tree apart with a list of its own: a chain of a million nodes must not recurse.
+  ~Node() override {
     std::vector<Solid> orphans = std::move(children);
     while (!orphans.empty()) {
       Solid last = std::move(orphans.back());
       orphans.pop_back();
-      if (!last.node_ || last.node_.use_count() > 1) continue;
-      // The only owner may take the children out of the node before it goes.
-      auto& grandchildren = const_cast<Node&>(*last.node_).children;
-      for (Solid& child : grandchildren) orphans.push_back(std::move(child));
-      grandchildren.clear();
+      Node* const node = last.node_.if_only_owner();
+      if (node == nullptr) continue;
+      for (Solid& child : node->children) orphans.push_back(std::move(child));
+      node->children.clear();
     }
   }
 };
@@ -59,19 +55,19 @@ struct Solid::NodeWith : Node {
 };
 
 Solid::Solid() {
-  static const auto nothing = std::make_shared<const Node>();
+  static const Shared<Node> nothing = Shared<Node>::make();
   node_ = nothing;
 }
 
-Solid::Solid(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+Solid::Solid(Shared<Node> node) : node_(std::move(node)) {}
 
 Solid Solid::make(Kind kind, std::vector<Solid> children) {
-  return Solid(std::make_shared<Node>(kind, std::move(children)));
+  return Solid(Shared<Node>::make(kind, std::move(children)));
 }
 
 template <class Payload>
 Solid Solid::make(Kind kind, std::vector<Solid> children, Payload payload) {
-  return Solid(std::make_shared<NodeWith<Payload>>(kind, std::move(children), std::move(payload)));
+  return Solid(Shared<Node>::make<NodeWith<Payload>>(kind, std::move(children), std::move(payload)));
 }
 
 template <class Payload>
@@ -93,7 +89,7 @@ const Transform& Solid::transform() const { return payload<Transform>(); }
 const PartName& Solid::part() const { return payload<PartName>(); }
 const LookStatement& Solid::look() const { return payload<LookStatement>(); }
 const Place& Solid::place() const { return node_->place; }
-const void* Solid::identity() const { return node_.get(); }
+const void* Solid::identity() const { return &*node_; }
 std::uint64_t Solid::leaf_count() const { return node_->leaf_count; }
 
 Solid Solid::copy() const {
@@ -115,9 +111,8 @@ Solid Solid::copy() const {
 Solid Solid::at(Place place) const& { return Solid(*this).at(std::move(place)); }
 
 Solid Solid::at(Place place) && {
-  // The only owner may change the node; what others see stays as it is.
-  Solid result = node_.use_count() == 1 ? std::move(*this) : copy();
-  const_cast<Node&>(*result.node_).place = std::move(place);
+  Solid result = node_.if_only_owner() != nullptr ? std::move(*this) : copy();
+  result.node_.if_only_owner()->place = std::move(place);
   return result;
 }
 

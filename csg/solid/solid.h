@@ -1,39 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "csg/base/box.h"
-#include "csg/base/error.h"
+#include "csg/base/place.h"
+#include "csg/base/shared.h"
 #include "csg/base/transform.h"
-#include "csg/exact/form_list.h"
 #include "csg/solid/look.h"
 
 namespace csgcast {
-
-/// The disc x² + y² <= radius² at height z.
-struct Disc {
-  double z = 0;
-  double radius = 0;
-};
-
-/// How far a form's coefficients may be off, in the order of QuadricForm::Term.
-using FormError = std::array<double, QuadricForm::term_count>;
-
-/// How far a leaf's forms may be off from what was meant, if each number it was made from is known to half an ulp.
-/// Nothing is decided by it but what welding takes for rounding.
-struct ShapeError {
-  bool scales_with_axes = true;  ///< each axis scaled by 1 ± 2^-53: what sizes known to half an ulp come to
-  /// More than that, of each form about `center`: |off(q)| <= sum of errors[i] |term_i(q - center)|; or empty: nothing.
-  std::vector<FormError> errors;
-  Point center;
-};
 
 /// The scene text's words for leaves.
 enum class LeafKind : std::uint8_t {
@@ -51,18 +30,7 @@ enum class LeafKind : std::uint8_t {
 /// As it stands in a scene text: "cube".
 const char* word(LeafKind kind);
 
-/// What a leaf is in its own coordinates: the closed set of points where every form is <= 0.
-struct LeafShape {
-  LeafKind kind = LeafKind::convex;
-  FormList forms;  ///< none of them constant; at least one
-  Box bounds;      ///< holds the set, rounded outward
-  bool is_convex_polyhedron = false;
-  std::vector<Point>
-      vertices;             ///< of a bounded polyhedron given by points (for tight bounds of moved solids); else empty
-  std::vector<Disc> discs;  ///< the convex hull of these holds the set, rounded outward (for the same); or empty
-  std::optional<Vector> semi_axes;  ///< the ellipsoid about the origin with these holds the set (for the same)
-  ShapeError error;
-};
+struct LeafShape;  // csg/solid/leaf_shape.h
 
 /// A named subtree with a density, for queries by part.
 struct PartName {
@@ -123,7 +91,7 @@ class Solid {
   struct Node;
   template <class Payload>
   struct NodeWith;
-  explicit Solid(std::shared_ptr<const Node> node);
+  explicit Solid(Shared<Node> node);
   static Solid make(Kind kind, std::vector<Solid> children);
   template <class Payload>
   static Solid make(Kind kind, std::vector<Solid> children, Payload payload);
@@ -131,7 +99,7 @@ class Solid {
   const Payload& payload() const;
   Solid copy() const;
 
-  std::shared_ptr<const Node> node_;
+  Shared<Node> node_;
 };
 
 /// All points of any child; of none: empty.

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <string>
 
+#include "csg/base/length.h"
+
 using namespace csgcast;
 
 namespace {

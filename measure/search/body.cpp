@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "csg/base/length.h"
+
 namespace csgcast::detail {
 namespace {
 

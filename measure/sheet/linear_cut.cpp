@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "csg/base/truth_table.h"
 #include "measure/sheet/tetrahedron.h"
 

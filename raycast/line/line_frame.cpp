@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "raycast/line/twofold.h"
 
 namespace csgcast {

@@ -2,6 +2,7 @@
 #include "raycast/line/ray.h"
 
 #include "csg/base/error.h"
+#include "csg/base/length.h"
 
 namespace csgcast {
 bool Ray::in_range(Point origin, Vector direction) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "raycast/line/box_line.h"
 #include "raycast/ray/layer_sweep.h"
 #include "raycast/scene/even_looks.h"

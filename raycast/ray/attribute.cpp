@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "csg/base/length.h"
 #include "raycast/ray/caster.h"
 #include "raycast/ray/detail/caster_state.h"
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "raycast/ray/caster.h"
 #include "raycast/ray/detail/caster_state.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// csg/base/vector.h in the lanes of vector registers, by the same operations in the same order: the same numbers, bit
-// for bit. Included once for each instruction set, by files that include themselves so (hwy/foreach_target.h).
+// csg/base/vector.h and length.h in the lanes of vector registers, by the same operations in the same order: the same
+// numbers, bit for bit. Included once for each instruction set, by files that include themselves so
+// (hwy/foreach_target.h).
 #if defined(CSGCAST_VECTOR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_VECTOR_LANES_INL_H
 #undef CSGCAST_VECTOR_LANES_INL_H

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "csg/exact/quadric_form.h"
+
 namespace csgcast {
 
 CellBox in_frame(const Box& box, const Frame& frame) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 #include "raycast/surface/kinds.h"
 #include "raycast/surface/rounded_form.h"
 
@@ -12,6 +14,8 @@ namespace csgcast {
 namespace {
 
 using Form = QuadricForm;
+
+static_assert(std::tuple_size_v<Surface::Coefficients> == Form::term_count);
 using Coefficients = Surface::Coefficients;
 using detail::in_coordinates;
 using detail::round_scaled;

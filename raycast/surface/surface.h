@@ -16,7 +16,7 @@ extern const SurfaceKind quadric_kind;
 
 /// One surface of the world, f(p) = 0: its canonical exact form, and floating-point forms of it that only ever filter.
 struct Surface {
-  using Coefficients = std::array<double, QuadricForm::term_count>;
+  using Coefficients = std::array<double, 10>;  ///< in the order of QuadricForm::Term
 
   const SurfaceKind* kind = &plane_kind;  ///< a row of the table of kinds
   bool is_plane = true;                   ///< kind is &plane_kind: what hot loops ask

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "csg/base/error.h"
+#include "csg/base/length.h"
 
 namespace csgcast {
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "csg/base/error.h"
+#include "csg/base/length.h"
 #include "csg/base/transform.h"
 
 namespace csgcast {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "csg/base/length.h"
 #include "csg/base/vector.h"
 #include "csg/solid/look.h"
 #include "csg/solid/scene_description.h"

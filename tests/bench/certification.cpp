@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/syntax/reader.h"
 #include "raycast/cells/cells.h"

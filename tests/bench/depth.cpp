@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "csg/base/error.h"
+#include "csg/base/length.h"
 #include "raycast/packets/packet_caster.h"
 #include "raycast/scene/scene.h"
 #include "tests/bench/camera_rays.h"

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/syntax/reader.h"
 #include "raycast/ray/caster.h"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "csg/base/box.h"
+#include "csg/base/length.h"
 #include "raycast/line/ray.h"
 
 namespace csgcast::bench {

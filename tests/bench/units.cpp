@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "csg/solid/primitives.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/syntax/reader.h"

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "csg/base/length.h"
 #include "csg/base/transform.h"
 #include "csg/exact/dyadic.h"
 #include "tests/support/catch.h"

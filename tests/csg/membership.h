@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <random>
 #include <vector>
 
 #include "csg/exact/affine.h"
 #include "csg/exact/quadric_form.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 #include "csg/solid/solid.h"
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "csg/solid/primitives.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "csg/base/error.h"
+#include "csg/solid/leaf_shape.h"
 #include "tests/csg/membership.h"
 #include "tests/support/catch.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "csg/exact/quadric_form.h"
 
+#include "csg/solid/leaf_shape.h"
 #include "tests/csg/membership.h"
 #include "tests/support/catch.h"
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 #include "csg/solid/simplify.h"
 #include "csg/text/statement/builder.h"

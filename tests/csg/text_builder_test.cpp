@@ -2,6 +2,7 @@
 #include <string>
 
 #include "csg/solid/bounds.h"
+#include "csg/solid/leaf_shape.h"
 #include "tests/csg/text_support.h"
 #include "tests/support/catch.h"
 

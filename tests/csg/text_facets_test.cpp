@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "csg/exact/hull.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/text/statement/detail/facets.h"
 #include "tests/csg/text_support.h"
 #include "tests/support/catch.h"

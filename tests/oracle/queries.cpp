@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "csg/base/box.h"
+#include "csg/base/length.h"
 #include "tests/support/polyhedra.h"
 
 namespace csgcast::oracle {

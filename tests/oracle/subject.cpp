@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "csg/exact/quadric_form.h"
+
 namespace csgcast::oracle {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "csg/solid/primitives.h"
 #include "raycast/ray/caster.h"
 #include "tests/support/at.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Surfaces that others imply are left out of cells, and nobody notices but by the time it takes.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "csg/solid/primitives.h"
 #include "csg/solid/simplify.h"
 #include "raycast/ray/caster.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "csg/solid/primitives.h"
 #include "raycast/ray/caster.h"
 #include "tests/support/at.h"

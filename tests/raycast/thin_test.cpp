@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "csg/solid/primitives.h"
 #include "raycast/ray/caster.h"
 #include "tests/support/catch.h"

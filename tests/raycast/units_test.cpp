@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
 #include "tests/support/examples.h"

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/syntax/reader.h"

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "csg/base/error.h"
+#include "csg/base/length.h"
 #include "shade/film/camera.h"
 #include "shade/film/view.h"
 #include "tests/support/catch.h"

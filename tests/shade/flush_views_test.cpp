@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "raycast/ray/caster.h"
 #include "shade/film/camera.h"
 #include "tests/shade/flush_truth.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "csg/base/length.h"
 #include "tests/shade/pictures.h"
 
 namespace csgcast::test {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "csg/base/length.h"
 #include "shade/light/phong.h"
 #include "tests/shade/pictures.h"
 

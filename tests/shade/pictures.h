@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <string>
 
+#include "csg/base/length.h"
 #include "csg/solid/primitives.h"
 #include "csg/solid/scene_description.h"
 #include "csg/solid/solid.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "csg/base/error.h"
+#include "csg/base/length.h"
 #include "shade/film/camera.h"
 #include "tests/shade/models.h"
 

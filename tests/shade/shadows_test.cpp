@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "shade/film/camera.h"
 #include "tests/shade/models.h"
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "raycast/ray/caster.h"
 #include "tests/stress/pieces.h"
 

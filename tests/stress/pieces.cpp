@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "csg/solid/primitives.h"
 #include "tests/stress/aimed_rays.h"
 

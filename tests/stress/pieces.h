@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "csg/base/box.h"
 #include "tests/stress/families.h"
 #include "tests/support/at.h"
 

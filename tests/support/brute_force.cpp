@@ -5,6 +5,9 @@
 #include <map>
 #include <optional>
 
+#include "csg/exact/dyadic.h"
+#include "csg/exact/quadric_form.h"
+
 namespace csgcast::test {
 namespace {
 

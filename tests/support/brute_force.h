@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <gmpxx.h>
+
 #include "raycast/line/ray.h"
 #include "raycast/scene/scene.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/membership.h"
 
+#include "csg/solid/leaf_shape.h"
+
 namespace csgcast::test {
 namespace {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "csg/base/length.h"
+
 namespace csgcast::test {
 namespace {
 

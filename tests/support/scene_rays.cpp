@@ -4,6 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
+
 namespace csgcast::test {
 namespace {
 

@@ -2,8 +2,10 @@
 #include "verify/adversarial_rays.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "csg/base/length.h"
 #include "tests/support/catch.h"
 #include "tests/verify/models.h"
 

@@ -2,7 +2,11 @@
 #include "verify/surface_geometry.h"
 
 #include <array>
+#include <cmath>
 
+#include "csg/base/length.h"
+#include "csg/exact/dyadic.h"
+#include "csg/exact/quadric_form.h"
 #include "raycast/surface/predicates.h"
 #include "tests/support/catch.h"
 #include "tests/verify/models.h"

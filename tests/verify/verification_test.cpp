@@ -2,6 +2,7 @@
 #include "verify/verification.h"
 
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "tests/support/catch.h"

@@ -11,16 +11,8 @@ constexpr std::size_t most_repetitions = 100'000;
 constexpr std::size_t longest_entry = 4096;  // bits
 
 // Only the first child bounds a difference.
-std::size_t children_that_count(const Solid& solid) {
-  return solid.kind() == Kind::subtract ? 1 : solid.children().size();
-}
-
-void absorb(const Solid& parent, bool is_first, Box& box, const Box& child) {
-  if (is_first) {
-    box = child;
-  } else {
-    box = parent.kind() == Kind::intersect ? intersection(box, child) : hull(box, child);
-  }
+std::span<const Solid> children_that_count(const Solid& solid) {
+  return solid.kind() == Kind::subtract ? solid.children().first(1) : solid.children();
 }
 
 }  // namespace
@@ -28,24 +20,18 @@ void absorb(const Solid& parent, bool is_first, Box& box, const Box& child) {
 BoundsWalk::BoundsWalk() : composed_(1) {}
 
 Box BoundsWalk::bounds_of(const Solid& root) {
-  if (const auto box = known_box(root)) return *box;
-  enter(root);
-  for (;;) {
-    Frame& top = frames_.back();
-    if (top.next_child < children_that_count(*top.solid)) {
-      const Solid& child = top.solid->children()[top.next_child++];
-      if (const auto box = known_box(child)) {
-        absorb(*top.solid, top.next_child == 1, top.box, *box);
-      } else {
-        enter(child);
-      }
-      continue;
-    }
-    const Box box = leave();
-    if (frames_.empty()) return box;
-    Frame& parent = frames_.back();
-    absorb(*parent.solid, parent.next_child == 1, parent.box, box);
-  }
+  TreeWalk<const Solid, Level> walk;
+  const Level whole = walk.run(
+      {&root, 1}, Level{},
+      [this](const Solid& solid, Level& above) -> std::optional<Level> {
+        const auto box = known_box(solid);
+        if (!box) return enter(solid);
+        above.add(*box);
+        return std::nullopt;
+      },
+      children_that_count,
+      [this](const Solid& solid, const Level& level, Level& above) { above.add(leave(solid, level)); });
+  return whole.box;
 }
 
 std::optional<Box> BoundsWalk::known_box(const Solid& solid) const {
@@ -65,11 +51,17 @@ std::optional<Box> BoundsWalk::known_box(const Solid& solid) const {
   return found == boxes_.end() ? std::nullopt : std::optional(found->second);
 }
 
-void BoundsWalk::enter(const Solid& solid) {
-  Frame& frame = frames_.emplace_back();
-  frame.solid = &solid;
-  frame.outer = present_;
-  if (solid.kind() == Kind::transform) enter_transform(frame);
+BoundsWalk::Level BoundsWalk::enter(const Solid& solid) {
+  Level level;
+  level.outer = present_;
+  if (solid.kind() == Kind::intersect) {
+    level.intersects = true;
+    level.box = Box::everything();
+  } else if (solid.kind() == Kind::transform) {
+    level.moves_box = !compose(solid);
+    present_ = level.moves_box ? 0 : composed_.size() - 1;
+  }
+  return level;
 }
 
 bool BoundsWalk::may_compose(const Solid& transform) {
@@ -77,28 +69,21 @@ bool BoundsWalk::may_compose(const Solid& transform) {
   return composed_.size() <= most_composed && repetitions_ <= most_repetitions;
 }
 
-void BoundsWalk::enter_transform(Frame& frame) {
-  if (may_compose(*frame.solid)) {
-    ExactAffine product = composed_[present_].world_from_solid * ExactAffine(frame.solid->transform());
-    if (product.bits() <= longest_entry) {
-      composed_.push_back({std::move(product), ++last_name_});
-      present_ = composed_.size() - 1;
-      return;
-    }
-  }
-  frame.moves_box = true;
-  present_ = 0;
+// Adds the transform, composed with those around it, to composed_. False if that would cost too much.
+bool BoundsWalk::compose(const Solid& transform) {
+  if (!may_compose(transform)) return false;
+  ExactAffine product = composed_[present_].world_from_solid * ExactAffine(transform.transform());
+  if (product.bits() > longest_entry) return false;
+  composed_.push_back({std::move(product), ++last_name_});
+  return true;
 }
 
-Box BoundsWalk::leave() {
-  const Frame frame = frames_.back();
-  frames_.pop_back();
-  Box box = frame.box;
-  const Solid& solid = *frame.solid;
+Box BoundsWalk::leave(const Solid& solid, const Level& level) {
+  Box box = level.box;
   if (solid.kind() == Kind::transform) {
-    if (!frame.moves_box) composed_.pop_back();
-    present_ = frame.outer;
-    if (frame.moves_box) box = image(box, composed_[present_].world_from_solid * ExactAffine(solid.transform()));
+    if (!level.moves_box) composed_.pop_back();
+    present_ = level.outer;
+    if (level.moves_box) box = image(box, composed_[present_].world_from_solid * ExactAffine(solid.transform()));
   }
   boxes_.emplace(Key{solid.identity(), composed_[present_].name}, box);
   return box;

@@ -9,16 +9,18 @@
 #include <utility>
 #include <vector>
 
+#include "csg/base/box.h"
+#include "csg/base/tree_walk.h"
 #include "csg/exact/affine.h"
 #include "csg/solid/bounds.h"
 #include "csg/solid/solid.h"
 
 namespace csgcast::detail {
 
-/// One walk over a tree, bottom up with a stack of its own, that finds the box of every node in world coordinates. A
-/// node that is met again under the same composed transform is not walked again. Where exact composition would cost too
-/// much (thousands of nested transforms), the box of what is below is moved instead of the leaves: looser, but the cost
-/// of a level stays the same.
+/// One walk over a tree, bottom up, that finds the box of every node in world coordinates. A node that is met again
+/// under the same composed transform is not walked again. Where exact composition would cost too much (thousands of
+/// nested transforms), the box of what is below is moved instead of the leaves: looser, but the cost of a level stays
+/// the same.
 class BoundsWalk {
  public:
   BoundsWalk();
@@ -29,12 +31,13 @@ class BoundsWalk {
     ExactAffine world_from_solid;
     std::uint64_t name = 0;  // never used again, unlike its place in the stack
   };
-  struct Frame {
-    const Solid* solid = nullptr;
-    std::size_t next_child = 0;
-    std::size_t outer = 0;  // the composed transform around this node, in composed_
-    bool moves_box = false;
-    Box box;
+  struct Level {
+    Box box;  // of the children so far
+    bool intersects = false;
+    bool moves_box = false;  // a transform that was not composed with those around it
+    std::size_t outer = 0;   // the composed transform around the node, in composed_
+
+    void add(const Box& child) { box = intersects ? intersection(box, child) : hull(box, child); }
   };
   using Key = std::pair<const void*, std::uint64_t>;
   struct KeyHash {
@@ -44,15 +47,14 @@ class BoundsWalk {
   };
 
   std::optional<Box> known_box(const Solid& solid) const;
-  void enter(const Solid& solid);
-  void enter_transform(Frame& frame);
+  Level enter(const Solid& solid);
   bool may_compose(const Solid& transform);
-  Box leave();
+  bool compose(const Solid& transform);
+  Box leave(const Solid& solid, const Level& level);
 
   std::vector<Composed> composed_;  // the first is the identity
   std::size_t present_ = 0;         // the one that leaves are now under
   std::uint64_t last_name_ = 0;
-  std::vector<Frame> frames_;
   std::unordered_set<const void*> entered_;  // transforms met so far
   std::size_t repetitions_ = 0;              // met again, under another transform
   std::unordered_map<Key, Box, KeyHash> boxes_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csg/exact/quadric_form.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/solid.h"
 
 // What the makers of leaves share.

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/base/tree_walk.h"
 #include "csg/text/statement/detail/statements.h"
 #include "csg/text/syntax/openscad_language.h"
 #include "csg/text/syntax/shortened.h"
@@ -51,8 +52,7 @@ struct Below {
   const Node* forbids_parts = nullptr;  ///< the innermost statement above that a part must not stand in
 };
 
-/// Walks the statements in file order with a stack of its own; arguments are read when a statement is entered, solids
-/// combined when it is left.
+/// Walks the statements in file order; arguments are read when a statement is entered, solids combined when it is left.
 class Builder {
  public:
   Builder(Document document, const BuildOptions& options) : document_(std::move(document)), options_(options) {}
@@ -60,20 +60,19 @@ class Builder {
   SceneDescription build();
 
  private:
-  struct Frame {
-    std::span<Node> children;  ///< still to come
-    Node* node = nullptr;      ///< null for the whole document
+  /// An operator whose statements are being read; or the whole document.
+  struct Operator {
     Combine combine = unite;
-    Below below;
-    std::vector<Solid> solids;
+    Below below{};
+    std::vector<Solid> solids{};
   };
 
   Solid build_solid(std::span<Node> nodes);
-  void enter(Node& node);
-  void leave();
+  std::optional<Operator> enter(Node& node, Operator& above);
+  void leave(Node& node, Operator done, Operator& above);
   void apply(const Node& node, const Statement& statement, const SceneStatement& meaning);
   Solid make_solid(const Node& node, const Statement& statement, const SolidStatement& meaning);
-  void open(Node& node, const Statement& statement, const OperatorStatement& meaning);
+  Operator open(const Node& node, const Statement& statement, const OperatorStatement& meaning, Below below);
 
   const Statement& statement_of(const Node& node) const;
   Call call(const Node& node, const Statement& statement) {
@@ -81,13 +80,13 @@ class Builder {
   }
   Place place(const Node& node) const { return {document_.file, node.line, node.column}; }
   void reject_children(const Node& node) const;
+  void require_top(const Node& node, const Below& below) const;
   void require_part_allowed(const Node& part, const Below& below) const;
   void warn_of_repeated_part(const Call& part);
 
   Document document_;
   const BuildOptions& options_;
   SceneDescription scene_;
-  std::vector<Frame> frames_;
   std::vector<std::string_view> applied_;            ///< names of the scene statements so far
   std::unordered_map<std::string, int> part_lines_;  ///< where each part name stood first
 };
@@ -108,43 +107,36 @@ SceneDescription Builder::build() {
 }
 
 Solid Builder::build_solid(std::span<Node> nodes) {
-  Frame whole;
-  whole.children = nodes;
-  frames_.push_back(std::move(whole));
-  while (true) {
-    Frame& frame = frames_.back();
-    if (!frame.children.empty()) {
-      Node& node = frame.children.front();
-      frame.children = frame.children.subspan(1);
-      if (!is_skipped(node)) enter(node);
-    } else if (frames_.size() > 1) {
-      leave();
-    } else {
-      return frame.combine(std::move(frame.solids));
-    }
-  }
+  TreeWalk<Node, Operator> walk;
+  Operator whole = walk.run(
+      nodes, Operator{}, [this](Node& node, Operator& above) { return enter(node, above); },
+      [](Node& node) { return std::span(node.children); },
+      [this](Node& node, Operator done, Operator& above) { leave(node, std::move(done), above); });
+  return whole.combine(std::move(whole.solids));
 }
 
-void Builder::enter(Node& node) {
+std::optional<Builder::Operator> Builder::enter(Node& node, Operator& above) {
+  if (is_skipped(node)) return std::nullopt;
   const Statement& statement = statement_of(node);
-  if (const auto* solid = std::get_if<SolidStatement>(&statement.meaning)) {
-    frames_.back().solids.push_back(make_solid(node, statement, *solid));
-    node.give_up();
-  } else if (const auto* scene = std::get_if<SceneStatement>(&statement.meaning)) {
-    apply(node, statement, *scene);
-  } else {
-    open(node, statement, std::get<OperatorStatement>(statement.meaning));
+  if (const auto* meaning = std::get_if<OperatorStatement>(&statement.meaning)) {
+    return open(node, statement, *meaning, above.below);
   }
+  if (const auto* solid = std::get_if<SolidStatement>(&statement.meaning)) {
+    above.solids.push_back(make_solid(node, statement, *solid));
+    node.give_up();
+  } else {
+    require_top(node, above.below);
+    apply(node, statement, std::get<SceneStatement>(statement.meaning));
+  }
+  return std::nullopt;
 }
 
-void Builder::leave() {
-  Frame frame = std::move(frames_.back());
-  frames_.pop_back();
-  Solid solid = frame.combine(std::move(frame.solids));
+void Builder::leave(Node& node, Operator done, Operator& above) {
+  Solid solid = done.combine(std::move(done.solids));
   // A union of one is that one, which keeps its own place.
-  if (solid.place().line == 0) solid = std::move(solid).at(place(*frame.node));
-  frame.node->give_up();
-  frames_.back().solids.push_back(std::move(solid));
+  if (solid.place().line == 0) solid = std::move(solid).at(place(node));
+  node.give_up();
+  above.solids.push_back(std::move(solid));
 }
 
 const Statement& Builder::statement_of(const Node& node) const {
@@ -170,10 +162,6 @@ Solid Builder::make_solid(const Node& node, const Statement& statement, const So
 }
 
 void Builder::apply(const Node& node, const Statement& statement, const SceneStatement& meaning) {
-  if (!frames_.empty() && !frames_.back().below.top) {
-    throw Error(ErrorCode::bad_value, place(node), fmt::format("'{}' stands below another statement", node.name),
-                "it concerns the whole picture", "move it to the top of the file, outside all { }");
-  }
   const bool repeated = std::find(applied_.begin(), applied_.end(), node.name) != applied_.end();
   if (meaning.count == SceneStatement::Count::once && repeated) {
     throw Error(ErrorCode::bad_value, place(node), fmt::format("a second '{}'", node.name), "a scene has one at most",
@@ -184,26 +172,28 @@ void Builder::apply(const Node& node, const Statement& statement, const SceneSta
   reject_children(node);
 }
 
-void Builder::open(Node& node, const Statement& statement, const OperatorStatement& meaning) {
-  Below below = frames_.back().below;
+Builder::Operator Builder::open(const Node& node, const Statement& statement, const OperatorStatement& meaning,
+                                Below below) {
   const bool is_part = node.name == "part";
   if (is_part) require_part_allowed(node, below);
   const Call arguments = call(node, statement);
-  Frame frame;
-  frame.children = node.children;
-  frame.node = &node;
-  frame.combine = meaning.make(arguments);
+  Combine combine = meaning.make(arguments);
   if (is_part) warn_of_repeated_part(arguments);
   below.top = false;
   if (meaning.parts == OperatorStatement::Parts::forbidden) below.forbids_parts = &node;
-  frame.below = below;
-  frames_.push_back(std::move(frame));
+  return {std::move(combine), below};
 }
 
 void Builder::reject_children(const Node& node) const {
   if (node.children.empty()) return;
   throw Error(ErrorCode::bad_value, place(node.children.front()), fmt::format("'{}' takes no children", node.name),
               "only operators, transforms and looks do", fmt::format("end '{}(..)' with ';'", node.name));
+}
+
+void Builder::require_top(const Node& node, const Below& below) const {
+  if (below.top) return;
+  throw Error(ErrorCode::bad_value, place(node), fmt::format("'{}' stands below another statement", node.name),
+              "it concerns the whole picture", "move it to the top of the file, outside all { }");
 }
 
 void Builder::require_part_allowed(const Node& part, const Below& below) const {

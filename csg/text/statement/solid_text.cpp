@@ -2,8 +2,11 @@
 #include "csg/text/statement/solid_text.h"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "csg/base/error.h"
+#include "csg/base/tree_walk.h"
 #include "csg/text/statement/detail/leaf_statement.h"
 
 namespace csgcast::text {
@@ -89,73 +92,50 @@ Node head_of(const Solid& solid) {
   }
 }
 
-// A walk from the leaves up with a stack of its own.
-class Writer {
- public:
-  Document run(const Solid& root) {
-    visit(root);
-    while (!frames_.empty()) {
-      Frame& top = frames_.back();
-      if (top.next_child < top.solid->children().size()) {
-        visit(top.solid->children()[top.next_child++]);
-        continue;
-      }
-      Frame done = std::move(top);
-      frames_.pop_back();
-      deliver(std::move(done.node));
-    }
-    return std::move(document_);
-  }
+[[noreturn]] void fail_as_too_long(const Solid& solid) {
+  throw Error(ErrorCode::limit, solid.place(), "the solid takes more than 4,194,304 statements",
+              "each use of a shared solid counts", "write it in pieces");
+}
 
- private:
-  struct Frame {
-    const Solid* solid = nullptr;
-    std::size_t next_child = 0;
-    Node node;
-  };
+Node statement_of_leaf(const Solid& leaf) {
+  if (auto node = leaf_statement(leaf.shape())) return std::move(*node);
+  throw Error(ErrorCode::unsupported, leaf.place(), "a solid's surfaces cannot be told in doubles",
+              "its exact coefficients are longer", "make it with a function of csg/solid/primitives.h");
+}
 
-  void visit(const Solid& solid) {
-    if (++statements_ > most_statements || solid.leaf_count() > most_statements) {
-      throw Error(ErrorCode::limit, solid.place(), "the solid takes more than 4,194,304 statements",
-                  "each use of a shared solid counts", "write it in pieces");
-    }
-    if (solid.kind() == Kind::leaf) {
-      auto node = leaf_statement(solid.shape());
-      if (!node) {
-        throw Error(ErrorCode::unsupported, solid.place(), "a solid's surfaces cannot be told in doubles",
-                    "its exact coefficients are longer", "make it with a function of csg/solid/primitives.h");
-      }
-      return deliver(std::move(*node));
-    }
-    Frame frame{&solid, 0, head_of(solid)};
-    frame.node.has_block = true;
-    frames_.push_back(std::move(frame));
-  }
-
-  void deliver(Node node) {
-    if (frames_.empty()) {
-      document_.nodes.push_back(std::move(node));
-      return;
-    }
-    Frame& parent = frames_.back();
-    const bool has_both =
-        parent.solid->kind() == Kind::look && parent.solid->look().material && parent.solid->look().paint;
-    if (has_both) {
-      Node paint = color_statement(*parent.solid->look().paint);
-      paint.has_block = true;
-      paint.children.push_back(std::move(node));
-      node = std::move(paint);
-    }
-    parent.node.children.push_back(std::move(node));
-  }
-
-  Document document_;
-  std::vector<Frame> frames_;
-  std::size_t statements_ = 0;
-};
+/// Puts a statement between another one and its children.
+void insert_below(Node& node, Node inner) {
+  inner.has_block = true;
+  inner.children.swap(node.children);
+  node.children.push_back(std::move(inner));
+}
 
 }  // namespace
 
-Document document_of(const Solid& solid) { return Writer().run(solid); }
+Document document_of(const Solid& solid) {
+  std::size_t statements = 0;
+  TreeWalk<const Solid, Node> walk;
+  Node whole = walk.run(
+      {&solid, 1}, Node{},
+      [&statements](const Solid& part, Node& above) -> std::optional<Node> {
+        if (++statements > most_statements || part.leaf_count() > most_statements) fail_as_too_long(part);
+        if (part.kind() == Kind::leaf) {
+          above.children.push_back(statement_of_leaf(part));
+          return std::nullopt;
+        }
+        Node node = head_of(part);
+        node.has_block = true;
+        return node;
+      },
+      [](const Solid& part) { return part.children(); },
+      [](const Solid& part, Node node, Node& above) {
+        const bool has_both = part.kind() == Kind::look && part.look().material && part.look().paint;
+        if (has_both) insert_below(node, color_statement(*part.look().paint));
+        above.children.push_back(std::move(node));
+      });
+  Document document;
+  document.nodes.swap(whole.children);
+  return document;
+}
 
 }  // namespace csgcast::text

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "csg/base/number_text.h"
+#include "csg/base/tree_walk.h"
 
 namespace csgcast::text {
 namespace {
@@ -84,30 +86,22 @@ void write_head(const Node& node, std::size_t depth, std::string& out) {
   out += opens_block(node) ? ") {\n" : ");\n";
 }
 
-/// The statements of one block and how many of them are written.
-struct Block {
-  const std::vector<Node>* statements;
-  std::size_t written = 0;
-};
-
 }  // namespace
 
 std::string write(const Document& document) {
   std::string out;
-  std::vector<Block> open{{&document.nodes}};
-  while (true) {
-    Block& block = open.back();
-    if (block.written < block.statements->size()) {
-      const Node& node = (*block.statements)[block.written++];
-      write_head(node, open.size() - 1, out);
-      if (opens_block(node)) open.push_back({&node.children});
-      continue;
-    }
-    open.pop_back();
-    if (open.empty()) break;
-    indent(open.size() - 1, out);
-    out += "}\n";
-  }
+  TreeWalk<const Node, std::size_t> walk;  // with the depth of what stands in a node's block
+  walk.run(
+      document.nodes, 0,
+      [&out](const Node& node, std::size_t depth) {
+        write_head(node, depth, out);
+        return opens_block(node) ? std::optional(depth + 1) : std::nullopt;
+      },
+      [](const Node& node) { return std::span(node.children); },
+      [&out](const Node&, std::size_t, std::size_t depth) {
+        indent(depth, out);
+        out += "}\n";
+      });
   return out + '\n';
 }
 

@@ -6,6 +6,9 @@
 #include <map>
 #include <vector>
 
+#include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
+
 namespace csgcast::detail {
 namespace {
 

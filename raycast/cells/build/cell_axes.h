@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "csg/base/length.h"
 #include "csg/base/vector.h"
 #include "raycast/cells/formula/form_range.h"
 #include "raycast/scene/scene.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "raycast/cells/build/cell_box.h"
 #include "raycast/scene/even_looks.h"
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "raycast/cells/build/cell_axes.h"
 #include "raycast/cells/build/cut_look.h"
 #include "raycast/cells/build/lane_surface.h"

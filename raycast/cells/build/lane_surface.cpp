@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 #include "raycast/cells/build/cell_data.h"
 
 // By the constants here lanes know what is certain. They hold for rays whose point near the frame's center lies within

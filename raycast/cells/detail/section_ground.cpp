@@ -5,6 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
+
 namespace csgcast::detail {
 namespace {
 

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
+
 namespace csgcast::detail {
 namespace {
 

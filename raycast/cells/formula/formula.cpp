@@ -29,25 +29,25 @@ class Layout {
   /// the formula is no longer valid.
   bool run(NodeId root, std::size_t most_terms = SIZE_MAX) {
     visit(root);
-    while (!frames_.empty()) {
+    while (!open_.empty()) {
       if (formula_.terms.size() > most_terms) {
         formula_.terms.resize(1);
         return false;
       }
-      Frame& frame = frames_.back();
-      if (frame.next < frame.children.size()) {
-        visit(frame.children[frame.next++]);
+      Open& last = open_.back();
+      if (last.next < last.children.size()) {
+        visit(last.children[last.next++]);
         continue;
       }
-      Term& term = formula_.terms[frame.start];
-      term.size = static_cast<std::uint32_t>(formula_.terms.size()) - frame.start;
-      frames_.pop_back();
+      Term& term = formula_.terms[last.start];
+      term.size = static_cast<std::uint32_t>(formula_.terms.size()) - last.start;
+      open_.pop_back();
     }
     return true;
   }
 
  private:
-  struct Frame {
+  struct Open {
     std::span<const NodeId> children;
     std::size_t next;
     std::uint32_t start;
@@ -83,7 +83,7 @@ class Layout {
     if (node.op == Node::Op::empty || node.op == Node::Op::everything)
       return add_constant(node.op == Node::Op::everything);
     formula_.terms.push_back({1, 0, op_of(node.op)});
-    frames_.push_back({scene_.children(node), 0, start});
+    open_.push_back({scene_.children(node), 0, start});
   }
 
   // Adds an operator without operands: a union of none is empty, an intersection of none is everything.
@@ -94,7 +94,7 @@ class Layout {
   const Box* near_ = nullptr;
   NodeId replaced_;
   bool as_everything_ = false;
-  std::vector<Frame> frames_;
+  std::vector<Open> open_;
 };
 
 // Adds an operand; a constant is an operator without operands.
@@ -174,7 +174,7 @@ void Folder::begin(const Formula& from, Formula& result) {
   result_ = &result;
   result.terms.clear();
   result.value = from.value;
-  frames_.clear();
+  open_.clear();
   at_ = 0;
   done_ = false;
 }
@@ -182,9 +182,9 @@ void Folder::begin(const Formula& from, Formula& result) {
 void Folder::open(const Term& term) {
   const auto start = static_cast<std::uint32_t>(result_->terms.size());
   const bool associates = term.op == Term::Op::unite || term.op == Term::Op::intersect;
-  const bool is_merged = associates && !frames_.empty() && frames_.back().op == term.op;
+  const bool is_merged = associates && !open_.empty() && open_.back().op == term.op;
   if (!is_merged) result_->terms.push_back(term);
-  frames_.push_back({static_cast<std::uint32_t>(at_) + term.size, start, 0, 0, term.op, is_merged});
+  open_.push_back({static_cast<std::uint32_t>(at_) + term.size, start, 0, 0, term.op, is_merged});
   ++at_;
 }
 
@@ -196,17 +196,17 @@ void Folder::deliver(Known value, std::span<const Term> operand) {
 
 // Keeps an operand of the operator on top.
 void Folder::keep() {
-  if (frames_.empty()) return;
-  ++frames_.back().kept;
-  ++frames_.back().seen;
+  if (open_.empty()) return;
+  ++open_.back().kept;
+  ++open_.back().seen;
 }
 
 // Takes an operand of the operator on top for constant. The operator, and those above it, may become so by that.
 void Folder::settle(bool value) {
-  while (!frames_.empty()) {
-    Frame& frame = frames_.back();
+  while (!open_.empty()) {
+    Operator& top = open_.back();
     bool absorbs = true;
-    switch (frame.op) {
+    switch (top.op) {
       case Term::Op::unite:
         absorbs = value;
         break;
@@ -214,10 +214,10 @@ void Folder::settle(bool value) {
         value = !value;
         break;
       case Term::Op::subtract:
-        absorbs = (frame.seen == 0) != value;
-        if (!absorbs && frame.seen == 0) {
-          frame.op = Term::Op::complement;  // it is everything less the second operand
-          result_->terms[frame.start].op = Term::Op::complement;
+        absorbs = (top.seen == 0) != value;
+        if (!absorbs && top.seen == 0) {
+          top.op = Term::Op::complement;  // it is everything less the second operand
+          result_->terms[top.start].op = Term::Op::complement;
         }
         if (absorbs) value = false;
         break;
@@ -225,43 +225,43 @@ void Folder::settle(bool value) {
         absorbs = !value;
     }
     if (!absorbs) {
-      ++frame.seen;
+      ++top.seen;
       return;
     }
-    result_->terms.resize(frame.start);
-    at_ = frame.end;
-    frames_.pop_back();
+    result_->terms.resize(top.start);
+    at_ = top.end;
+    open_.pop_back();
   }
   result_->value = value;
   done_ = true;
 }
 
 void Folder::close_finished() {
-  while (!frames_.empty() && frames_.back().end == at_) {
-    const Frame frame = frames_.back();
-    frames_.pop_back();
-    close(frame);
+  while (!open_.empty() && open_.back().end == at_) {
+    const Operator top = open_.back();
+    open_.pop_back();
+    close(top);
     if (done_) return;
   }
 }
 
-void Folder::close(const Frame& frame) {
-  if (frame.is_merged) {
-    frames_.back().kept += frame.kept;
-    ++frames_.back().seen;
+void Folder::close(const Operator& top) {
+  if (top.is_merged) {
+    open_.back().kept += top.kept;
+    ++open_.back().seen;
     return;
   }
   std::vector<Term>& terms = result_->terms;
-  if (frame.kept == 0) {
-    terms.resize(frame.start);
-    return settle(frame.op != Term::Op::unite);
+  if (top.kept == 0) {
+    terms.resize(top.start);
+    return settle(top.op != Term::Op::unite);
   }
-  const bool is_plain = frame.kept == 1 && frame.op != Term::Op::leaf && frame.op != Term::Op::complement;
+  const bool is_plain = top.kept == 1 && top.op != Term::Op::leaf && top.op != Term::Op::complement;
   if (is_plain) {
     // The one operand that is left stands for the operator.
-    terms.erase(terms.begin() + frame.start);
+    terms.erase(terms.begin() + top.start);
   } else {
-    terms[frame.start].size = static_cast<std::uint32_t>(terms.size()) - frame.start;
+    terms[top.start].size = static_cast<std::uint32_t>(terms.size()) - top.start;
   }
   keep();
 }

@@ -78,7 +78,7 @@ class Folder {
   }
 
  private:
-  struct Frame {
+  struct Operator {
     std::uint32_t end;    // index after its last operand, in the old formula
     std::uint32_t start;  // index of its term in the new formula
     std::uint32_t kept;   // number of operands that stay
@@ -93,10 +93,10 @@ class Folder {
   void keep();
   void settle(bool value);
   void close_finished();
-  void close(const Frame& frame);
+  void close(const Operator& top);
 
   Formula* result_ = nullptr;
-  std::vector<Frame> frames_;
+  std::vector<Operator> open_;
   std::size_t at_ = 0;
   bool done_ = false;
 };
@@ -107,53 +107,53 @@ class FormulaValue {
  public:
   template <class HalfSpaceWord>
   std::uint64_t operator()(std::span<const Term> terms, HalfSpaceWord&& half_space) {
-    frames_.clear();
+    open_.clear();
     for (std::size_t i = 0; i < terms.size(); ++i) {
       const Term& term = terms[i];
       if (term.op != Term::Op::half_space) {
-        frames_.push_back({i + term.size, 0, 0, term.op});
+        open_.push_back({i + term.size, 0, 0, term.op});
         continue;
       }
       std::uint64_t word = half_space(term);
       std::size_t end = i + 1;
-      while (!frames_.empty()) {
-        Frame& frame = frames_.back();
-        add(frame, word);
-        if (frame.end != end) break;
-        word = frame.word;
-        frames_.pop_back();
-        if (frames_.empty()) return word;
+      while (!open_.empty()) {
+        Operator& top = open_.back();
+        add(top, word);
+        if (top.end != end) break;
+        word = top.word;
+        open_.pop_back();
+        if (open_.empty()) return word;
       }
-      if (frames_.empty()) return word;
+      if (open_.empty()) return word;
     }
     return 0;
   }
 
  private:
-  struct Frame {
+  struct Operator {
     std::size_t end;
     std::uint32_t seen;
     std::uint64_t word;
     Term::Op op;
   };
-  static void add(Frame& frame, std::uint64_t word) {
-    const bool first = frame.seen++ == 0;
-    switch (frame.op) {
+  static void add(Operator& top, std::uint64_t word) {
+    const bool first = top.seen++ == 0;
+    switch (top.op) {
       case Term::Op::unite:
-        frame.word = first ? word : frame.word | word;
+        top.word = first ? word : top.word | word;
         break;
       case Term::Op::subtract:
-        frame.word = first ? word : frame.word & ~word;
+        top.word = first ? word : top.word & ~word;
         break;
       case Term::Op::complement:
-        frame.word = ~word;
+        top.word = ~word;
         break;
       default:
-        frame.word = first ? word : frame.word & word;
+        top.word = first ? word : top.word & word;
     }
   }
 
-  std::vector<Frame> frames_;
+  std::vector<Operator> open_;
 };
 
 }  // namespace csgcast::detail

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/cells/formula/implications.h"
 
+#include "csg/base/length.h"
+
 namespace csgcast::detail {
 
 void Implications::begin(std::size_t count, Vector half) {

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 
+#include "csg/base/length.h"
 #include "csg/exact/quadric_form.h"
 #include "raycast/packets/detail/lane_line-inl.h"
 #include "raycast/surface/surface.h"

@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "csg/exact/dyadic.h"
+#include "csg/exact/quadric_form.h"
 #include "raycast/surface/cell_form.h"
 
 namespace csgcast::detail {

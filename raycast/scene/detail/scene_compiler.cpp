@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/simplify.h"
 #include "raycast/scene/detail/enclosure.h"
 

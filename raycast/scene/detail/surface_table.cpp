@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "csg/base/length.h"
+
 namespace csgcast::detail {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "csg/exact/quadric_form.h"
 namespace csgcast::detail {
 
 int form_sign_at(const Surface& surface, Point p) {

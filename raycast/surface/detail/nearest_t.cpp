@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 #include "raycast/surface/detail/twofold_form.h"
 #include "raycast/surface/kind.h"
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 #include "raycast/line/twofold_root.h"
 #include "raycast/surface/detail/bounded.h"
 #include "raycast/surface/line_crossings.h"

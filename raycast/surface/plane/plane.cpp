@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/surface/plane/plane.h"
 
+#include "csg/exact/quadric_form.h"
+
 #include "raycast/surface/detail/exact_line.h"
 #include "raycast/surface/detail/form_sign.h"
 #include "raycast/surface/detail/nearest_t.h"

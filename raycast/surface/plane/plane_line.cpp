@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/surface/plane/plane.h"
 
+#include "csg/exact/quadric_form.h"
+
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "raycast/surface/detail/bounded.h"
 #include "raycast/surface/detail/line_crossings.h"
 

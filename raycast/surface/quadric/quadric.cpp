@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "csg/exact/quadric_form.h"
 #include "raycast/surface/detail/exact_line.h"
 #include "raycast/surface/detail/form_sign.h"
 #include "raycast/surface/detail/nearest_t.h"

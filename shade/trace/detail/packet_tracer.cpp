@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "shade/film/samples.h"
 #include "shade/light/phong.h"
 #include "shade/trace/detail/shading_lanes.h"

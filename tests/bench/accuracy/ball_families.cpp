@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "csg/base/length.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 
 namespace csgcast::bench {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "csg/base/length.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/simplify.h"
 
 namespace csgcast::bench {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "csg/base/length.h"
 #include "raycast/ray/caster.h"
 #include "tests/stress/families.h"
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 #include "raycast/surface/detail/line_crossings.h"
 
 namespace csgcast::bench {

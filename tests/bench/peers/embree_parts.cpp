@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
+#include "csg/base/length.h"
 #include "tests/bench/embree_handles.h"
 #include "tests/bench/peers/embree_packets.h"
 #include "tests/bench/peers/events.h"

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/simplify.h"
 
 namespace csgcast::bench {

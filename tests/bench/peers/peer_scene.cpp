@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "csg/base/length.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/syntax/reader.h"
 #include "shade/film/camera.h"

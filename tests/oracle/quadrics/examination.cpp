@@ -8,6 +8,7 @@
 #include <limits>
 #include <string_view>
 
+#include "csg/base/length.h"
 #include "raycast/ray/caster.h"
 #include "tests/oracle/quadrics/judge.h"
 

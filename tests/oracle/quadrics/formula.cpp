@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "csg/solid/leaf_shape.h"
+
 namespace csgcast::oracle::quadrics {
 namespace {
 

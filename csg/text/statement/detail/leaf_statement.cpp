@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 
 namespace csgcast::text {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "csg/base/length.h"
 #include "csg/text/statement/detail/color_argument.h"
 
 namespace csgcast::text {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "csg/base/length.h"
+
 namespace csgcast::detail {
 namespace {
 

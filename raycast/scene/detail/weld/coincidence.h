@@ -4,6 +4,7 @@
 #include <array>
 
 #include "csg/base/box.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/solid.h"
 #include "raycast/line/twofold.h"
 #include "raycast/surface/rounded_form.h"

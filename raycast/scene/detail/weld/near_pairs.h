@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "csg/solid/leaf_shape.h"
 #include "raycast/scene/detail/weld/coincidence.h"
 #include "raycast/scene/detail/weld/grouping.h"
 

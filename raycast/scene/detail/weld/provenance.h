@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "csg/exact/affine.h"
+#include "csg/solid/leaf_shape.h"
 #include "csg/solid/solid.h"
 #include "raycast/scene/detail/hash_index.h"
 #include "raycast/scene/detail/weld/coincidence.h"

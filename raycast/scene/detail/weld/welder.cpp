@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "csg/base/length.h"
+
 namespace csgcast::detail {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csg/exact/packed_form.h"
+#include "csg/solid/leaf_shape.h"
 #include "raycast/line/crossing.h"
 #include "raycast/scene/detail/weld/near_faces.h"
 #include "raycast/scene/detail/weld/near_pairs.h"
