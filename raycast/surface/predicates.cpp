@@ -22,7 +22,7 @@ std::optional<LineCrossings> filtered(const Line& line, SurfaceId id, const Surf
                                             : detail::filtered_quadric(line.in_frame, surface);
 }
 
-// tau of a number; the unit is a power of two, so only the subtraction of the shift rounds.
+// The tau of a t. The unit is a power of two, so only the subtraction of the shift rounds.
 double tau_of(const Line& line, double t) { return t / line.in_frame.unit - line.in_frame.shift; }
 
 std::weak_ordering order_with_infinity(double t) {
@@ -44,7 +44,7 @@ LineCrossings certified_crossings(const Line& line, SurfaceId id, const Surface&
 std::weak_ordering certified_order(const Line& line, const CrossingView& a, const CrossingView& b, ExactCalls& calls) {
   if (a.id == b.id) return a.root <=> b.root;
   const double gap = a.tau() - b.tau();
-  // The subtraction and the sum of the errors round by a relative u each: twice the errors cover both.
+  // The subtraction and the sum of the errors round by a relative u each. Twice the errors cover both.
   if (std::fabs(gap) > 2 * (a.found->error + b.found->error)) return by_value(gap);
   if (a.id != line.departure && b.id != line.departure) {
     const auto root_a = detail::twofold_root(line.in_frame, a);
@@ -125,8 +125,8 @@ int sign_at(const Surface& surface, Point p) {
     sum += t;
     magnitude += std::fabs(t);
   }
-  // A coefficient's rounding, two products and nine additions: (1 + u)^12 - 1 < 13 u; 16 u also covers the rounding of
-  // the bound. Out of the middle of the exponents under- and overflow may have touched a term.
+  // The rounding of a coefficient, two products and nine additions come to (1 + u)^12 - 1 < 13 u; 16 u also covers the
+  // rounding of the bound. Outside the middle range of exponents a term may have under- or overflowed.
   if (surface.in_range && magnitude > 0x1p-900 && magnitude < 0x1p900 && std::fabs(sum) > 0x10p-53 * magnitude)
     return sum > 0 ? 1 : -1;
   return surface.exact.unpacked().at(p).sign();

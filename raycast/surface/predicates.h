@@ -12,20 +12,20 @@
 #include "raycast/line/ray.h"
 #include "raycast/surface/surface.h"
 
-// The three predicates that every structural decision passes through: the sign of a surface at a point, which crossings
-// exist, and the order of two crossings. Each is what exact arithmetic says: floating point decides where its own error
-// bound allows it, exact numbers elsewhere. The bounds are derived in docs/accuracy.md.
+// Every structural decision passes through three predicates: the sign of a surface at a point, which crossings exist,
+// and the order of two crossings. Each answers what exact arithmetic says. Floating point decides where its own error
+// bound allows it, exact numbers decide elsewhere. docs/accuracy.md derives the bounds.
 
 namespace csgcast {
 
-/// What exact arithmetic found out about one line, to be asked for again.
+/// Keeps what exact arithmetic found out about one line, so that it is computed once.
 class LineMemory {
  public:
   LineMemory();
   ~LineMemory();
   LineMemory(LineMemory&&) noexcept;
 
-  /// The line is another one.
+  /// Forgets everything; called when the line becomes another one.
   void forget();
 
   struct State;
@@ -42,30 +42,30 @@ struct Line {
 
   Ray ray;
   LineFrame in_frame;
-  SurfaceId departure;  ///< the surface that the ray starts on, exactly, by definition; or none
+  SurfaceId departure;  ///< the surface that the ray starts on, by definition exactly; not valid if there is none
   Sense departure_side = Sense::positive;
-  LineMemory* memory = nullptr;  ///< where the exact stage keeps what it finds; null: nowhere
+  LineMemory* memory = nullptr;  ///< where the exact stage keeps what it finds; null: it keeps nothing
 };
 
-/// Decisions that double left open: those that twofold arithmetic took, and the rest, by kind, that took exact numbers.
+/// Counts of the decisions that double left open.
 struct ExactCalls {
-  std::uint64_t twofold = 0;
-  std::uint64_t existence = 0;
-  std::uint64_t order = 0;
-  std::uint64_t rounding = 0;  ///< of a reported t; decides no structure
+  std::uint64_t twofold = 0;    ///< taken by twofold arithmetic; all others took exact numbers
+  std::uint64_t existence = 0;  ///< which crossings exist
+  std::uint64_t order = 0;      ///< which of two crossings comes first
+  std::uint64_t rounding = 0;   ///< which double is nearest to a reported t; decides no structure
   std::uint64_t structural() const { return existence + order; }
   std::uint64_t beyond_double() const { return twofold + structural(); }
 };
 
-/// What one line meets of one surface f: its crossings in ascending order and the sign of f before the first.
+/// The crossings of one line with one surface f, in ascending order, and the sign of f before the first.
 ///
-/// A double root is no crossing. Where f vanishes along the whole line (a ray in a plane, a generator of a quadric)
-/// there is no crossing and the line is on the positive side. Of the surface that a ray departs from only what comes
-/// after the start is told: no crossing at t = 0. Of a local surface (surface.h) only crossings in the frame's unit
-/// cube are told for certain: one that lies outside may be missing.
+/// A double root is no crossing. If f vanishes along the whole line (a ray in a plane, a generator of a quadric) there
+/// is no crossing, and the line is on the positive side. With the surface that a ray departs from only crossings after
+/// the start are listed, none at t = 0. With a local surface (surface.h) only crossings in the frame's unit cube are
+/// certain to be listed: one that lies outside may be missing.
 struct LineCrossings {
   std::array<double, 2> tau{};  ///< in the line's frame (line_frame.h)
-  double error = 0;             ///< bound on |tau - exact tau|, of both
+  double error = 0;             ///< bound on |tau - exact tau|, for both
   std::uint8_t count = 0;
   bool positive_before = true;
 
@@ -73,10 +73,10 @@ struct LineCrossings {
   bool positive_after(unsigned n) const { return positive_before != ((n & 1u) != 0); }
 };
 
-/// -1, 0 or 1: the sign of f(p).
+/// The sign of f(p), exactly: -1, 0 or 1.
 int sign_at(const Surface& surface, Point p);
 
-/// A crossing with what the predicates need to know of it.
+/// A crossing with what the predicates need to know about it.
 struct CrossingView {
   SurfaceId id;
   const Surface* surface;
@@ -86,9 +86,10 @@ struct CrossingView {
   double tau() const { return found->tau[root]; }
 };
 
-/// The predicates of crossings. A caster works with one such table; every caller is the same for all.
+/// The predicates about crossings, as a table of functions. A caster works with one such table, so all that calls it is
+/// the same whichever predicates are chosen.
 struct Predicates {
-  /// Which crossings exist. `id` is the surface's own, to know a departure by.
+  /// Which crossings exist. `id` is the surface's own; it tells whether the line departs from this surface.
   LineCrossings (*crossings)(const Line& line, SurfaceId id, const Surface& surface, ExactCalls& calls);
   /// Which of two crossings of one line comes first.
   std::weak_ordering (*order)(const Line& line, const CrossingView& a, const CrossingView& b, ExactCalls& calls);
@@ -98,12 +99,13 @@ struct Predicates {
   double (*reported_t)(const Line& line, const CrossingView& crossing, ExactCalls& calls);
 };
 
-/// What exact arithmetic says, at nearly the price of floating point; t is the nearest double. The default.
+/// The answers of exact arithmetic, at nearly the price of floating point; a reported t is the nearest double. The
+/// default.
 const Predicates& certified_predicates();
-/// The same answers from exact arithmetic alone: slow, to compare with.
+/// The same answers from exact arithmetic alone. They are slow, and serve for comparison.
 const Predicates& exact_predicates();
-/// Floating point as it comes, by the same formulas without their bounds: what certification costs is measured against
-/// it.
+/// The answers of plain floating point, by the same formulas without their bounds. They may be wrong, and serve to
+/// measure what certification costs.
 const Predicates& uncertified_predicates();
 
 }  // namespace csgcast

@@ -15,7 +15,7 @@ int sign_of_sum(const Dyadic& a, const Dyadic& b) { return (a + b).sign(); }
 
 Dyadic signed_square(const Dyadic& a) { return a.sign() < 0 ? -(a * a) : a * a; }
 
-// The sign of x + y sqrt(d), d >= 0: by comparing squares where the terms pull apart.
+// The sign of x + y sqrt(d), where d >= 0. If the terms have different signs their squares are compared.
 int sign_with_root(const Dyadic& x, const Dyadic& y, const Dyadic& d) {
   const int sx = x.sign();
   const int sy = d.is_zero() ? 0 : y.sign();
@@ -23,11 +23,12 @@ int sign_with_root(const Dyadic& x, const Dyadic& y, const Dyadic& d) {
   return sign_of_sum(signed_square(x), signed_square(y) * d);
 }
 
-// The sign of x + y sqrt(d) + z sqrt(e), d, e >= 0.
+// The sign of x + y sqrt(d) + z sqrt(e), where d, e >= 0.
 int sign_with_roots(const Dyadic& x, const Dyadic& y, const Dyadic& d, const Dyadic& z, const Dyadic& e) {
   if (e.is_zero() || z.is_zero()) return sign_with_root(x, y, d);
   if (d.is_zero() || y.is_zero()) return sign_with_root(x, z, e);
-  // r = y sqrt(d) + z sqrt(e), its sign by squares; then x against r: x² - r² = (x² - y² d - z² e) - 2 y z sqrt(d e).
+  // With r = y sqrt(d) + z sqrt(e), squares tell the sign of r. Then x and r are compared by their squares:
+  // x² - r² = (x² - y² d - z² e) - 2 y z sqrt(d e).
   const Dyadic yyd = y * y * d;
   const Dyadic zze = z * z * e;
   const int sr = y.sign() == z.sign() ? y.sign() : y.sign() * (yyd - zze).sign();
@@ -37,7 +38,7 @@ int sign_with_roots(const Dyadic& x, const Dyadic& y, const Dyadic& d, const Dya
   return sx * sign_with_root(x * x - yyd - zze, -two * y * z, d * e);
 }
 
-// floor(sqrt(value)) in units that leave at least `bits` significant bits.
+// The square root, cut off after at least `bits` significant bits.
 Dyadic square_root(const Dyadic& value, std::int64_t bits) {
   if (value.is_zero()) return {};
   std::int64_t shift = 2 * bits - static_cast<std::int64_t>(value.bits());
@@ -58,18 +59,18 @@ Dyadic quotient(const Dyadic& a, const Dyadic& b, std::int64_t bits) {
 
 constexpr std::int64_t approximation_bits = 128;
 
-// The root to a relative 2^-120: p and the square root may cancel, so they are summed the other way round where they
-// would.
+// The root to a relative 2^-120. Where p and the square root would cancel in their sum, the other root, in which they
+// do not, gives this one.
 Dyadic approximate(const ExactRoot& root, const ExactPolynomial& f) {
   const Dyadic radical = square_root(root.d, approximation_bits + 8);
   const Dyadic signed_radical = root.s < 0 ? -radical : root.s == 0 ? Dyadic() : radical;
   if (root.s == 0 || root.p.sign() == 0 || root.p.sign() == root.s)
     return quotient(root.p + signed_radical, root.q, approximation_bits);
-  // (p + r)(p - r) = p² - d, and for the roots of a t² + b t + c that is 4 a c.
+  // With r = s sqrt(d), (p + r)(p - r) = p² - d, which for the roots of a t² + b t + c is 4 a c.
   return quotient(Dyadic(2.0) * f.c, root.p - signed_radical, approximation_bits);
 }
 
-// tau of a t, rounded: the error is half an ulp of tau and what is cut off of t.
+// Sets the tau of a crossing from its t. The error is half an ulp of tau, plus what was cut off of t.
 void set_tau(const Line& line, LineCrossings& found, unsigned index, const Dyadic& t) {
   const LineFrame& frame = line.in_frame;
   const Dyadic along = t.scaled(-std::int64_t{std::ilogb(frame.unit)});
@@ -160,9 +161,9 @@ LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& sur
   const ExactPolynomial& f = memory.polynomial(line, id, surface);
   LineCrossings found;
   if (id == line.departure) {
-    // f / t = b t + c: after the start f keeps the departure's side up to a crossing if that is not its side in the
-    // end. At a silhouette the crossing may come out before the start: then it is at the start.
-    // Where f is linear on the line, its slope alone tells the side; it has none where the line lies in a plane.
+    // f / t = b t + c. After the start f is on the departure's side. If it is on the other side in the end, there is a
+    // crossing. At a silhouette the crossing may be computed to lie before the start; then it is at the start.
+    // If f is linear on the line, its slope alone tells the side. If the slope is zero the line lies in the surface.
     const bool positive = line.departure_side == Sense::positive;
     const bool is_linear = f.b.is_zero();
     found.positive_before = is_linear && !f.c.is_zero() ? f.c.sign() > 0 : positive;
@@ -192,7 +193,7 @@ ExactRoot exact_root(const Line& line, const CrossingView& crossing) {
   ExactMemory& memory = memory_of(line, scratch);
   const ExactPolynomial& f = memory.polynomial(line, crossing.id, *crossing.surface);
   if (crossing.id == line.departure && !(f.b.sign() * f.c.sign() < 0)) return ExactRoot(Dyadic());
-  // A crossing whose partner is out of reach is the only one that floating point tells of.
+  // Floating point lists one crossing alone if the other one is out of reach.
   unsigned root = crossing.root;
   if (crossing.found->count == 1 && !f.a.is_zero()) root = crossing.found->positive_before == (f.a.sign() > 0) ? 0 : 1;
   return memory.root(line, crossing.id, *crossing.surface, root);

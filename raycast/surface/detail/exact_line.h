@@ -13,8 +13,8 @@
 
 namespace csgcast::detail {
 
-/// f(o + t d) = a t² + b t + c, exact up to a positive factor. Of the surface that a line departs from f(o) is 0 by
-/// definition, and the crossing at the start is divided out: a t + b, as 0 t² + a t + b.
+/// f(o + t d) = a t² + b t + c, exact up to a positive factor. For the surface that a line departs from f(o) is 0 by
+/// definition, and the crossing at the start is divided out: what is left is a t + b, written as 0 t² + a t + b.
 struct ExactPolynomial {
   Dyadic a;
   Dyadic b;
@@ -23,8 +23,8 @@ struct ExactPolynomial {
   ExactPolynomial(const Line& line, SurfaceId id, const Surface& surface);
 };
 
-/// The last rung of the ladder: (p + s sqrt(d)) / q with integers (times powers of two) p, q, d >= 0 and s = -1, 0
-/// or 1.
+/// The last rung of the ladder: a root as (p + s sqrt(d)) / q. p, q and d >= 0 are integers times powers of two, s is
+/// -1, 0 or 1.
 struct ExactRoot {
   Dyadic p;
   Dyadic q;
@@ -38,7 +38,7 @@ struct ExactRoot {
 
 std::strong_ordering operator<=>(const ExactRoot& a, const ExactRoot& b);
 
-/// Polynomials and roots of one line, by surface.
+/// Keeps the polynomials and roots of one line, by surface.
 class ExactMemory {
  public:
   void forget() { known_.clear(); }
@@ -55,10 +55,11 @@ class ExactMemory {
   };
   Known& known(const Line& line, SurfaceId id, const Surface& surface);
 
-  std::deque<Known> known_;           // of the present line
-  std::vector<std::uint32_t> place_;  // by surface: where it is in known_, if it is there
+  std::deque<Known> known_;           // what is known about the present line
+  std::vector<std::uint32_t> place_;  // by surface: where it stands in known_, if it is there
 };
 
+/// The crossings of a line and a surface, by exact arithmetic alone.
 LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& surface);
 /// The t of a crossing, correctly rounded: the nearest double, ties to even.
 double exact_nearest_t(const Line& line, const CrossingView& crossing);

@@ -13,11 +13,10 @@ namespace {
 
 using Form = QuadricForm;
 constexpr double u = 0x1p-53;
-// The computed error bounds are sums of a few positive terms, rounded themselves: by less than this share.
+// An error bound is computed as a sum of a few positive terms, and rounds itself. Times this it is a bound for certain.
 constexpr double rounding_of_bounds = 1 + 0x1p-40;
-// From anywhere on the line near its closest approach, the frame's unit cube is within |s| <= reach: the approach to a
-// center in the cube is at most as far from a point of the cube as the cube's diagonal, 2 sqrt(3), and |direction|
-// >= 1.
+// Measured from the line's closest approach to a center in the frame's unit cube, every point of the line in the cube
+// has |s| <= reach. The two are no farther apart than the cube's diagonal, 2 sqrt(3), and |direction| >= 1.
 constexpr double reach = 4;
 
 struct Bounded {
@@ -29,7 +28,7 @@ struct Bounded {
   double most() const { return std::fabs(value) + error; }
 };
 
-// f(q + s d) = a s² + 2 b s + c about the line's closest approach to the surface's center, at tau = origin.
+// f(q + s d) = a s² + 2 b s + c, where q is the line's closest approach to the surface's center, at tau = origin.
 struct Quadratic {
   Bounded a;
   Bounded b;
@@ -40,14 +39,15 @@ struct Quadratic {
 Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
   const QuadricOnLine f = quadric_on_line(line, surface);
 
-  // q is off by the error of `near`, the rounding of the difference, of the product and of the sum: |origin d| <= 1.8
-  // |start| on each axis.
+  // q is off by the error of `near` and by the rounding of the difference, of the product and of the sum. On each axis
+  // |origin d| <= 1.8 |start|.
   const double size = longest(f.q);
   const double e = longest(line.direction);
   const double off = (line.near_error + u * (3 * longest(f.start) + size)) * rounding_of_bounds;
   const double bend = surface.second_degree;
   const double slope = surface.first_degree;
-  // Seven roundings in a, eight in b, ten in c, each coefficient's own included; then what q's error does to b and c.
+  // There are seven roundings in a, eight in b and ten in c, with that of the coefficient. The rest is what q's error
+  // does to b and c.
   const double error_a = 8 * u * bend * e * e;
   const double error_b = (9 * u * (bend * size + slope) + bend * off) * e;
   const double error_c =
@@ -58,26 +58,26 @@ Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
           f.origin};
 }
 
-// What happens to a local surface within reach, if nothing does: |a| s² + 2 |b| s stays below |c|.
+// No crossing, if it is certain that a local surface has none within reach: |a| s² + 2 |b| s stays below |c| there.
 std::optional<LineCrossings> none_within_reach(const Quadratic& f, const Surface& surface) {
   const double most = (f.a.most() * reach + 2 * f.b.most()) * reach * rounding_of_bounds;
   if (!surface.is_local || !(f.c.least() > most)) return std::nullopt;
   return none(f.c.value > 0);
 }
 
-// Two roots for certain: (-b ± root) / a.
+// The crossings where the discriminant is certainly positive: (-b ± root) / a.
 std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surface, Bounded discriminant) {
   const double root = std::sqrt(discriminant.value);
   // |sqrt(D) - sqrt(D')| <= |D - D'| / sqrt(D) for D' >= 0.
   const double root_error = discriminant.error / root + u * root;
-  // The sum that does not cancel, and the other root from the product of both. The sign of a zero b, which lanes may
-  // compute otherwise, makes no difference.
+  // Of the two sums -b ± root the one is taken that does not cancel. It gives one root, and the product of both roots
+  // gives the other. The sign of a zero b, which lanes may compute differently, makes no difference.
   const double sum = f.b.value < 0 ? root - f.b.value : -(f.b.value + root);
   const double sum_error = (f.b.error + root_error + u * std::fabs(sum)) * rounding_of_bounds;
   if (!(2 * sum_error < std::fabs(sum))) return std::nullopt;
   const double at_near = f.c.value / sum;
   const double near_error = 2 * (f.c.error + std::fabs(at_near) * sum_error) / std::fabs(sum) + u * std::fabs(at_near);
-  const bool rises_at_near = f.b.value >= 0;  // f' is 2 root there, or -2 root
+  const bool rises_at_near = f.b.value >= 0;  // f' there is 2 root if b >= 0, else -2 root
 
   LineCrossings found;
   if (2 * f.a.error < std::fabs(f.a.value)) {
@@ -92,7 +92,8 @@ std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surfac
     found.positive_before = f.a.value > 0;
     return found;
   }
-  // The sign of a is open: the far root is at least this far out, on one side or the other.
+  // The sign of a is open: the far root may lie on either side, but it is out of reach if it is certain that
+  // |sum| / |a| > reach.
   if (!surface.is_local || !((std::fabs(sum) - sum_error) > reach * f.a.most() * rounding_of_bounds))
     return std::nullopt;
   found.tau[0] = f.origin + at_near;
@@ -102,12 +103,12 @@ std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surfac
   return found;
 }
 
-// A coefficient, a product and two additions in each term.
+// The slope of f along the line. Each term has four roundings: of the coefficient, a product and two additions.
 Bounded slope_of(const LineFrame& line, const Surface& plane) {
   return {plane_on_line(line, plane).slope, 5 * u * plane.first_degree * longest(line.direction)};
 }
 
-// Exactly, every product having a factor zero.
+// True if the line is parallel to the plane because every product in the slope has a factor that is zero.
 bool is_parallel(const LineFrame& line, const Surface& plane) {
   const auto vanishes = [&](Form::Term term, double d) { return plane.local[term] == 0 || d == 0; };
   const Vector d = line.direction;
@@ -136,7 +137,7 @@ std::optional<LineCrossings> filtered_plane(const LineFrame& line, const Surface
     return found;
   }
   if (is_parallel(line, plane) && value.is_certain()) return none(value.value > 0);
-  // Nearly so: the crossing, if there is one, lies out of reach.
+  // The line is nearly parallel: it may be certain that a crossing, if there is one, lies out of reach.
   const double farthest = (reach + 2 * size) * slope.most() * rounding_of_bounds;
   if (plane.is_local && value.least() > farthest) return none(value.value > 0);
   return std::nullopt;
@@ -152,7 +153,7 @@ std::optional<LineCrossings> filtered_quadric(const LineFrame& line, const Surfa
   const Bounded discriminant{bb - ac, d_error * rounding_of_bounds};
   if (discriminant.is_certain()) {
     if (discriminant.value > 0) return two_roots(f, quadric, discriminant);
-    // a and c have one sign, and neither is zero: either tells.
+    // a and c have the same sign, and neither is zero: either of them tells the side.
     if (f.a.is_certain()) return none(f.a.value > 0);
     if (f.c.is_certain()) return none(f.c.value > 0);
   }
@@ -167,13 +168,14 @@ std::optional<LineCrossings> filtered_departure(const Line& line, const Surface&
     if (slope.is_certain()) return none(slope.value > 0);
     return is_parallel(line.in_frame, surface) ? std::optional(none(positive)) : std::nullopt;
   }
-  // c is 0 at the start by definition: f = t (a t + 2 b). On the way f has the sign of the departure's side at first
-  // and that of a in the end, so there is a crossing after the start exactly if these differ.
+  // f is 0 at the start by definition, so f = t (a t + 2 b) there. Along the ray f has the sign of the departure's side
+  // at first and that of a in the end. So there is a crossing after the start exactly if these differ.
   const LineFrame& in_frame = line.in_frame;
   const Quadratic f = restrict_to_line(in_frame, surface);
   if (!f.a.is_certain()) return std::nullopt;
   if ((f.a.value > 0) == positive) return none(positive);
-  // From the closest approach at `origin`, where f' = 2 b, the two roots lie as far apart on either side of -b / a.
+  // With s counted from the closest approach at `origin`, where f' = 2 b, the two roots lie equally far on either side
+  // of s = -b / a. One of them is the start, so the other one is its mirror image.
   const double middle = f.origin - f.b.value / f.a.value;
   const double start = -in_frame.shift;
   const double other = 2 * middle - start;

@@ -17,7 +17,7 @@ constexpr double u = 0x1p-53;
 
 using Point2 = std::array<Twofold, 3>;
 
-// The point at tau, from the surface's center.
+// The point of the line at tau, relative to the surface's center.
 Point2 point_at(const LineFrame& line, const Surface& surface, double tau) {
   Point2 q;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -27,7 +27,7 @@ Point2 point_at(const LineFrame& line, const Surface& surface, double tau) {
   return q;
 }
 
-// f(q); coefficients that are zero cost nothing.
+// f(q). Coefficients that are zero cost nothing.
 Twofold value_at(const Surface& surface, const Point2& q) {
   const auto coefficient = [&](std::size_t i) { return Twofold{surface.local[i], surface.local_low[i]}; };
   Twofold sum = coefficient(Form::one);
@@ -53,8 +53,8 @@ double slope_at(const LineFrame& line, const Surface& surface, const Point2& q) 
   return dot(gradient, line.direction);
 }
 
-// shift + tau + step rounded, if every number within `error` of it rounds the same; then times the unit, which is
-// exact.
+// The nearest t of shift + tau + step, if all numbers within `error` of that sum round to the same double. Multiplying
+// by the unit is exact.
 std::optional<double> rounded(const LineFrame& line, double tau, double step, double error) {
   const Twofold base = two_sum(line.shift, tau);
   const Twofold sum = two_sum(base.high, step);
@@ -63,7 +63,7 @@ std::optional<double> rounded(const LineFrame& line, double tau, double step, do
   const double below = sum.high + (low - slack);
   const double above = sum.high + (low + slack);
   const double t = below * line.unit;
-  const bool scales_exactly = std::fabs(t) > 0x1p-1000 || t == 0;  // no subnormal number
+  const bool scales_exactly = std::fabs(t) > 0x1p-1000 || t == 0;  // false if t may be subnormal
   if (below == above && scales_exactly && std::isfinite(t)) return t;
   return std::nullopt;
 }
@@ -80,17 +80,19 @@ std::optional<double> newton(const LineFrame& line, const CrossingView& crossing
   const double e = longest(line.direction);
   const double bend = surface.second_degree;
   const double steepness = 2 * bend * size + surface.first_degree;
-  // Two twofold sums and a product make q; up to ten products of three factors and ten sums make f, below 64 u² of the
-  // sum of magnitudes; taking the high part alone loses u of the value.
+  // q takes two twofold sums and a product. f takes up to ten products of three factors and ten sums, whose roundings
+  // are below 64 u² of the sum of magnitudes. Taking the high part alone loses u of the value.
   const double off =
       line.near_low_error + 16 * u * u * (longest(line.near) + longest(surface.center) + std::fabs(tau) * e);
   const double value_error =
       64 * u * u * ((bend * size + surface.first_degree) * size + surface.constant) + steepness * off;
-  // Relative errors of the slope and of the division, and the curvature that one Newton step leaves out.
+  // The error of the step is made of those of the slope and of the division, and of the curvature that one Newton step
+  // leaves out.
   const double slope_error = 8 * u * steepness * e;
   if (!(4 * slope_error < std::fabs(slope))) return std::nullopt;
-  // A quadratic rises at one of its roots and falls at the other. A step that is short beside the bend leads to the one
-  // that goes as the slope does: where both are near each other that may be the wrong one.
+  // A quadratic rises at one of its roots and falls at the other. A step that is short compared with the bend leads to
+  // the root at which f goes the way that the slope tells. Where the two roots are close together that may be the wrong
+  // one.
   const bool rises = !crossing.found->positive_after(crossing.root);
   const double most = std::fabs(value.high) + value_error;
   if ((slope > 0) != rises || !(8 * bend * e * e * most <= slope * slope)) return std::nullopt;
@@ -103,7 +105,7 @@ std::optional<double> newton(const LineFrame& line, const CrossingView& crossing
 }  // namespace
 
 double nearest_t(const Line& line, const CrossingView& crossing, ExactCalls& calls) {
-  // A departure's form is another one; there is no need for speed.
+  // For the surface that the ray departs from another form counts. Speed does not matter there.
   const bool plain = crossing.id != line.departure && crossing.surface->in_range && line.in_frame.in_range;
   if (plain) {
     if (const std::optional<double> t = newton(line.in_frame, crossing)) return *t;

@@ -5,8 +5,9 @@
 
 namespace csgcast::detail {
 
-/// The t of a crossing, correctly rounded: one Newton step on a residual in twofold arithmetic; where its error bound
-/// leaves the rounding open, the exact root.  Source of the rounding test: Ziv 1991.
+/// The t of a crossing, correctly rounded. It comes from one Newton step on a residual in twofold arithmetic. If the
+/// error bound leaves the rounding open it comes from the twofold root, and if that does so too, from the exact root.
+/// Source of the rounding test: Ziv 1991.
 double nearest_t(const Line& line, const CrossingView& crossing, ExactCalls& calls);
 
 }  // namespace csgcast::detail

@@ -4,7 +4,7 @@
 #include "raycast/line/line_frame.h"
 #include "raycast/surface/surface.h"
 
-// Surfaces restricted to a line, in double: what the certified filter puts bounds on.
+// Surfaces restricted to a line, in double. The certified filter puts error bounds on these numbers.
 
 namespace csgcast::detail {
 
@@ -14,8 +14,8 @@ struct PlaneOnLine {
   double slope;
 };
 
-/// f = a s² + 2 b s + c with s = tau - origin, about the line's closest approach to the surface's center, where the
-/// least cancels.
+/// f = a s² + 2 b s + c with s = tau - origin. At s = 0 is the line's closest approach to the surface's center, about
+/// which the least cancels.
 struct QuadricOnLine {
   double a;
   double b;

@@ -10,7 +10,7 @@ namespace {
 using Form = QuadricForm;
 constexpr double uu = 0x1p-106;  // u²
 constexpr double rounding_of_bounds = 1 + 0x1p-40;
-constexpr double underflow = 0x1p-1000;  // far above what low parts lose to it
+constexpr double underflow = 0x1p-1000;  // far above what low parts lose if they underflow
 
 struct Bounded {
   Twofold value;
@@ -22,7 +22,7 @@ struct Bounded {
 
 using Vector2 = std::array<Twofold, 3>;
 
-// f = a s² + 2 b s + c with s = tau - origin, about a point near the closest approach to the surface's center.
+// f = a s² + 2 b s + c with s = tau - origin. At s = 0 is a point near the closest approach to the surface's center.
 struct Quadratic {
   Bounded a;
   Bounded b;
@@ -52,7 +52,7 @@ Vector2 first_degree(const Surface& surface) {
   return {coefficient(surface, Form::x), coefficient(surface, Form::y), coefficient(surface, Form::z)};
 }
 
-// `near` from the surface's center; off by near_low_error and a relative 3 u².
+// `near` relative to the surface's center. It is off by near_low_error and a relative 3 u².
 Vector2 start_of(const LineFrame& line, const Surface& surface) {
   Vector2 start;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -95,14 +95,14 @@ Bounded discriminant_of(const Quadratic& f) {
   return {bb + -ac, error * rounding_of_bounds + underflow};
 }
 
-// sqrt(D), D > 0 for certain: one Newton step on the double's root leaves a relative 4 u².
+// sqrt(D). One Newton step from the root in double leaves a relative error of 4 u². Precondition: D > 0 is certain.
 Bounded square_root(const Bounded& discriminant) {
   const double root = std::sqrt(discriminant.value.high);
   const Twofold left = discriminant.value + -two_product(root, root);
   return {fast_two_sum(root, left.high / (2 * root)), 2 * discriminant.error / root + 4 * uu * root};
 }
 
-// a / b, off by a relative 16 u² and by what its operands are off. Precondition: b is certain.
+// a / b. It is off by a relative 16 u² and by what the operands' errors do. Precondition: the sign of b is certain.
 Bounded quotient(const Bounded& a, const Bounded& b) {
   const double first = a.value.high / b.value.high;
   const Twofold left = a.value + -(b.value * first);
@@ -111,7 +111,7 @@ Bounded quotient(const Bounded& a, const Bounded& b) {
   return {value, (4 * (a.error + size * b.error) / std::fabs(b.value.high) + 16 * uu * size) * rounding_of_bounds};
 }
 
-// The two roots with s, or the one nearest 0 if the sign of a is open.
+// The values of s at the two roots. If the sign of a is open there is only the one nearest 0.
 struct Roots {
   Bounded near;
   std::optional<Bounded> far;
@@ -197,7 +197,7 @@ std::optional<TwofoldRoot> twofold_root(const LineFrame& line, const CrossingVie
   if (!discriminant.is_certain() || !discriminant.is_positive()) return std::nullopt;
   const std::optional<Roots> roots = roots_of(f, discriminant);
   if (!roots) return std::nullopt;
-  // A crossing whose partner is out of reach is the one near the closest approach.
+  // If the other crossing is out of reach, this one is the one near the closest approach.
   if (crossing.found->count == 1) return from_origin(roots->near, f.origin);
   if (!roots->far) return std::nullopt;
   return from_origin((crossing.root == 0) == roots->far_is_lower ? *roots->far : roots->near, f.origin);

@@ -6,8 +6,8 @@
 #include "raycast/line/twofold.h"
 #include "raycast/surface/predicates.h"
 
-// The second rung of the ladder: crossings in twofold arithmetic, for what plain double leaves open. The bounds are
-// derived in docs/accuracy.md.
+// The second rung of the ladder: crossings in twofold arithmetic, for what plain double leaves open. docs/accuracy.md
+// derives the bounds.
 
 namespace csgcast::detail {
 
@@ -17,10 +17,11 @@ struct TwofoldRoot {
   double error;
 };
 
-/// Which crossings exist, if that is certain. Not for the surface that a line departs from.
+/// The crossings, if it is certain which exist. Precondition: the line does not depart from the surface.
 std::optional<LineCrossings> twofold_crossings(const LineFrame& line, const Surface& surface);
 
-/// A crossing that is known to exist. Not for the surface that a line departs from.
+/// The root of a crossing that is known to exist, if its error can be bounded. Precondition: the line does not depart
+/// from the surface.
 std::optional<TwofoldRoot> twofold_root(const LineFrame& line, const CrossingView& crossing);
 
 /// The sign of a - b if it is certain, else 0.
