@@ -9,16 +9,17 @@
 
 namespace csgcast::detail {
 
-/// Whether the line may meet the box within the span: never false where it does. For culling only. Narrows the span to
-/// where it may.
+/// Tells whether the line may meet the box within the span, and narrows the span to where it may. For culling only: the
+/// answer is true wherever the line does meet the box, and sometimes where it does not.
 ///
-/// (side - o) / d rounds twice, so by a relative 2u + u² < 2^-51; the slack of 2^-40 also covers the rounding of the
-/// span's ends.
+/// (side - o) / d rounds twice, so it is off by a relative 2u + u² < 2^-51. The slack of 2^-40 also covers the rounding
+/// of the span's ends.
 inline bool may_meet(const Box& box, const Ray& ray, Span& span) {
   constexpr double slack = 0x1p-40;
   const Point o = ray.origin();
   const Vector d = ray.direction();
-  // A product leaves an infinite end as it is: a crossing may lie beyond the doubles.
+  // The span's ends are widened by a product and not a sum: an infinite end stays as it is, and a crossing may lie
+  // beyond the doubles.
   double near = span.from * (1 - std::copysign(slack, span.from));
   double far = span.to * (1 + std::copysign(slack, span.to));
   for (std::size_t axis = 0; axis < 3; ++axis) {

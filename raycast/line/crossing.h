@@ -7,18 +7,16 @@
 
 namespace csgcast {
 
-/// The side of a surface f(p) = 0: where its canonical form is negative, or where it is positive.
+/// A side of a surface f(p) = 0: the one where its canonical form is negative, or the one where it is positive.
 enum class Sense : std::uint8_t { negative, positive };
 
 constexpr Sense opposite(Sense sense) { return sense == Sense::negative ? Sense::positive : Sense::negative; }
 
-/// One crossing of the ray's line with a surface: the first (root 0) or second (root 1) of those that matter to the
-/// scene on this line. Without a surface it is an end that no surface makes: where the query's span cut the interval
-/// off, or an infinite end.
+/// One crossing of the ray's line with a surface, or the end of an interval that no surface makes.
 struct Crossing {
   double t = 0;
-  SurfaceId surface;
-  std::uint8_t root = 0;
+  SurfaceId surface;      ///< not valid for an infinite end, or where the query's span cut the interval off
+  std::uint8_t root = 0;  ///< 0 or 1: the first or second crossing of those that matter to the scene on this line
 };
 
 }  // namespace csgcast

@@ -14,7 +14,7 @@ Frame Frame::around(const Box& bounded_leaves) {
     reach = std::max({reach, bounded_leaves.upper[axis] - center[axis], center[axis] - bounded_leaves.lower[axis]});
   }
   if (!(reach > 0) || !std::isfinite(reach)) return {center, 0};
-  return {center, std::ilogb(reach) + 2};  // |q| < 1/2 with room for the rounding of the differences
+  return {center, std::ilogb(reach) + 2};  // |q| < 1/2, which leaves room for the rounding of the differences
 }
 
 }  // namespace csgcast

@@ -6,13 +6,15 @@
 
 namespace csgcast {
 
-/// The coordinates in which floating point works: q = (p - center) 2^-exponent. Every bounded leaf of the scene lies
-/// within |q| <= 1 on each axis, so bounds do not depend on the scene's place or unit, and nothing over- or underflows.
+/// The coordinates in which floating point works: q = (p - center) 2^-exponent.
+///
+/// Every bounded leaf of the scene lies within |q| <= 1 on each axis. So error bounds do not depend on the scene's
+/// place or unit, and nothing over- or underflows.
 struct Frame {
   Point center;
   int exponent = 0;
 
-  /// The frame of a scene whose bounded leaves fill a box; the world's own coordinates if there are none.
+  /// The frame of a scene whose bounded leaves fill a box. If the box is null or infinite, the world's own coordinates.
   static Frame around(const Box& bounded_leaves);
 };
 

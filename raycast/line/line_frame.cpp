@@ -32,7 +32,7 @@ LineFrame::LineFrame(const Ray& ray, const Frame& frame) {
     high[axis] = std::ldexp(difference.high, -frame.exponent);
     low[axis] = std::ldexp(difference.low, -frame.exponent);
   }
-  // Any shift is right: the one to the closest approach keeps `near` small when the ray starts far away.
+  // Any shift gives the same line. The shift to the closest approach keeps `near` small when the ray starts far away.
   if (longest(high) > 2) shift = -dot(high, direction) * inverse_squared;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const detail::Twofold step = detail::two_product(shift, direction[axis]);
@@ -41,8 +41,8 @@ LineFrame::LineFrame(const Ray& ray, const Frame& frame) {
     near[axis] = at.high;
     near_low[axis] = at.low;
   }
-  // The three low parts are below u M each, M = |high| + 2 |shift|, and their two sums round by a relative u: 8 u² M
-  // covers them. Scaling into the frame may underflow: by less than 2^-1000.
+  // With M = |high| + 2 |shift| each of the three low parts is below u M, and their two sums round by a relative u: 8
+  // u² M covers them. Scaling into the frame may underflow, which costs less than 2^-1000.
   near_low_error = 0x8p-106 * (longest(high) + 2 * std::fabs(shift)) + 0x1p-1000;
   near_error = 0x1p-53 * longest(near) + near_low_error;
 }

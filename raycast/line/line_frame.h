@@ -6,12 +6,12 @@
 
 namespace csgcast {
 
-/// A ray's line in a frame: q = near + tau direction with |direction| in [1, 2) on its longest axis, and `near` close
-/// to the frame's center wherever the ray starts. t = (shift + tau) unit.
+/// A ray's line in a frame: q = near + tau direction, where t = (shift + tau) unit. On its longest axis |direction| is
+/// in [1, 2). Wherever the ray starts, `near` is close to the frame's center.
 ///
-/// `direction`, `shift` and `unit` are exact. `near` is the exact point at tau = 0 rounded: each coordinate is off by
-/// at most `near_error`, and near + near_low by at most `near_low_error`. Source of the exact sums and products: Dekker
-/// 1971, Ogita, Rump and Oishi 2005.
+/// `direction`, `shift` and `unit` are exact. `near` is the exact point at tau = 0, rounded: each of its coordinates is
+/// off by at most `near_error`. The sum near + near_low is off by at most `near_low_error`. Source of the exact sums
+/// and products: Dekker 1971, Ogita, Rump and Oishi 2005.
 struct LineFrame {
   Vector near;
   Vector near_low;

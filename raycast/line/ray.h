@@ -9,18 +9,20 @@
 
 namespace csgcast {
 
-/// origin + t direction. The six doubles are exact; t counts in units of the direction, which need not be unit.
+/// The points origin + t direction. The six doubles are exact. t counts in units of the direction, whose length need
+/// not be 1.
 class Ray {
  public:
-  /// The range in which nothing over- or underflows: coordinates of the origin and of the direction, and the longest
-  /// coordinate of the direction.
+  /// The range in which nothing over- or underflows: no coordinate of origin or direction is beyond `greatest`, and the
+  /// longest coordinate of the direction is at least `least_direction`.
   static constexpr double greatest = 0x1p400;
   static constexpr double least_direction = 0x1p-400;
 
-  /// Whether finite numbers are within the range; a zero direction is not.
+  /// True if an origin and a direction are within that range; a zero direction is not. Precondition: both are finite.
   static bool in_range(Point origin, Vector direction);
 
-  /// Throws Error(bad_value) for a zero direction or a number that is not finite, Error(limit) out of the range.
+  /// Throws Error(bad_value) for a zero direction or a number that is not finite, Error(limit) for one out of the
+  /// range.
   Ray(Point origin, Vector direction);
 
   Point origin() const { return origin_; }

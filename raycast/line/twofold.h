@@ -25,8 +25,8 @@ inline Twofold fast_two_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-/// a b exactly, barring overflow and underflow of the low part. The one place where a fused multiply-add is asked for,
-/// by name.
+/// a b exactly, barring overflow and underflow of the low part. This is the one place that asks for a fused
+/// multiply-add, and it does so by name.
 inline Twofold two_product(double a, double b) {
   const double product = a * b;
   return {product, std::fma(a, b, -product)};

@@ -12,10 +12,12 @@
 
 namespace csgcast {
 
-/// A ray that starts on a surface, towards one side of it. The surface has no crossing at t = 0 and is on `side` right
-/// after the start; only a crossing further on, of a curved surface, is computed. So a surface never shadows or
-/// reflects itself, and no distance is an epsilon. The ray must go to that side, but for rounding: of one that clearly
-/// goes to the other, casters say what they like.
+/// The surface that a ray starts on, and the side of it that the ray goes to.
+///
+/// By definition the ray has no crossing with this surface at t = 0 and is on `side` right after it. Only a crossing
+/// further on, with a curved surface, is computed. So a surface never shadows or reflects itself, without any epsilon.
+/// Precondition: the ray goes to that side, or along the surface up to rounding. If it clearly goes to the other side,
+/// the answer is arbitrary.
 struct Departure {
   SurfaceId surface;
   Sense side = Sense::positive;
@@ -27,7 +29,7 @@ enum class Rounding : std::uint8_t {
   close,    ///< one that is a few roundings off: faster, for pictures
 };
 
-/// Work done, in counts that do not drift.
+/// How much work was done. The counts depend on the scene and the queries only, not on the machine or on time.
 struct CasterCounts {
   std::uint64_t rays = 0;
   std::uint64_t surface_tests = 0;  ///< crossings computed
@@ -39,10 +41,11 @@ struct CasterCounts {
   CasterCounts& operator+=(const CasterCounts& other);
 };
 
-/// The working memory of one thread that asks a scene about rays. Queries never allocate once the memory has grown.
+/// Answers questions about one ray at a time, and about points. It holds the working memory of one thread: once that
+/// has grown, queries do not allocate.
 ///
-/// The answer is the regularised list of intervals that docs/answer.md defines. begin() sets the ray; the others ask
-/// about it.
+/// The answer is the regularised list of intervals that docs/answer.md defines. begin() sets the ray; the other queries
+/// ask about it, locate() and part_at() aside.
 class Caster {
  public:
   /// The scene must outlive the caster.
@@ -52,12 +55,14 @@ class Caster {
 
   const Scene& scene() const;
 
-  /// Turns to another ray.
+  /// Turns to another ray, which may start on a surface.
   void begin(const Ray& ray, std::optional<Departure> departure = std::nullopt);
 
-  /// All intervals of the solid, or of one of its nodes (a part's or region's), clipped to the span. Infinite ends have
-  /// t = ±infinity and no surface, and so have ends that the span cuts off; an interval that starts exactly at
-  /// span.from keeps its surface, one that ends there vanishes. The list is overwritten.
+  /// All intervals of the solid, or of one of its nodes (a part's or region's), clipped to the span. The list is
+  /// overwritten.
+  ///
+  /// An infinite end has t = ±infinity and no surface. An end that the span cuts off has the span's t and no surface.
+  /// An interval that starts exactly at span.from keeps its surface; one that ends exactly there vanishes.
   void intervals(IntervalList& list, Span span = {}) { intervals(scene().root(), list, span); }
   void intervals(NodeId node, IntervalList& list, Span span = {}, Rounding rounding = Rounding::nearest);
 
@@ -66,33 +71,34 @@ class Caster {
     return first_hit(scene().root(), span, rounding);
   }
   std::optional<Hit> first_hit(NodeId node, Span span = {}, Rounding rounding = Rounding::nearest);
-  /// True if the ray meets the inside of the solid anywhere in the open span. Cheaper than first_hit.
+  /// True if the ray meets the inside of the solid anywhere in the open span. Costs less than first_hit.
   bool any_hit(Span span = {}) { return any_hit(scene().root(), span); }
   bool any_hit(NodeId node, Span span = {});
 
-  /// A crossing of the present ray with the t to report, the nearest double.
+  /// A crossing of the present ray, with the double nearest to its exact t.
   Crossing reported(const Crossing& crossing);
 
   /// Which of two crossings of the present ray comes first; equivalent if they tie.
   std::weak_ordering order(const Crossing& a, const Crossing& b);
 
-  /// For scenes that transmit: the changes of medium in the span, in ascending order, ended by the first one into an
-  /// opaque solid. Where layers overlap the first in file order wins; layers of one look side by side are one medium.
-  /// The vector is overwritten.
+  /// For scenes that transmit: the changes of medium in the span, in ascending order, up to the first one into an
+  /// opaque solid. Where layers overlap, the first one in file order counts. Layers that touch and have one look are
+  /// one medium. The vector is overwritten.
   void interfaces(std::vector<Interface>& list, Span span = {});
 
   /// The leaf, part, look and normal of a boundary crossing of the present ray, as a boundary of the whole solid or of
-  /// one of its nodes. Throws Error(usage) for a hit that is none.
+  /// one of its nodes. Throws Error(usage) if no face of the node is there.
   Attribution attribute(const Hit& hit) { return attribute(scene().root(), hit); }
   Attribution attribute(NodeId node, const Hit& hit);
-  /// The look of what is inside a node next to one of its boundary crossings: the first leaf in file order, of those
-  /// that nothing subtracts, that holds the place; not valid if there is none.
+  /// The look of what is inside a node next to one of its boundary crossings. It is that of the first leaf in file
+  /// order, of those that nothing subtracts, that holds the place; not valid if there is none.
   LookId look_inside(NodeId node, const Hit& hit);
 
-  /// Where a point is. Never falsely inside or outside.
+  /// Where a point is: boundary if it is on the boundary, or cannot be told at reasonable cost; never falsely inside or
+  /// outside. Throws Error(bad_value) for a point that is not finite.
   Location locate(Point p) { return locate(scene().root(), p); }
   Location locate(NodeId node, Point p);
-  /// The first part in file order that holds the point inside; not valid if none.
+  /// The first part in file order that has the point inside; not valid if there is none.
   PartId part_at(Point p);
 
   CasterCounts counts() const;

@@ -10,13 +10,14 @@
 
 namespace csgcast {
 
-/// A run of t inside the solid, entry before exit.
+/// An interval of t in which the ray is inside the solid. The entry comes before the exit.
 struct Interval {
   Crossing entry;
   Crossing exit;
 };
 
-/// The face at an end of an interval: whose it is and what it shows, not valid where no surface makes the end.
+/// The face at an end of an interval: the leaf it belongs to and the look that it shows. Both are not valid if no
+/// surface makes the end.
 struct EndFace {
   LeafId leaf;
   LookId look;
@@ -34,14 +35,13 @@ struct Hit {
   Passage passage = Passage::entry;
 };
 
-/// A change of medium along a ray: what the ray is in before and after. A region is not valid where there is no solid,
-/// or an opaque one.
+/// A change of medium along a ray. A region is not valid if the ray is in no solid there, or in an opaque one.
 struct Interface {
   Hit hit;          ///< the boundary of the layer that begins or ends here
-  RegionId before;  ///< the transmitting region on this side
-  RegionId after;   ///< the transmitting region on the far side
+  RegionId before;  ///< the transmitting region that the ray is in before the change
+  RegionId after;   ///< the transmitting region that the ray is in after the change
   bool into_opaque = false;
-  NodeId node;  ///< the node whose boundary the hit is: ask attribute() with it
+  NodeId node;  ///< the node whose boundary the hit is, for Caster::attribute
 };
 
 /// Where a hit belongs in the uncompiled tree.
@@ -50,12 +50,11 @@ struct Attribution {
   RegionId region;  ///< the region that the leaf belongs to
   PartId part;      ///< not valid outside every named part
   LookId look;      ///< what to shade the face with
-  /// The place, in double: off by at most 2^-51 of the scene's size (Scene::frame) and 2^-52 of its coordinates, beside
-  /// what its crossing is off. Nearer than o + t d for a ray from far away.
+  /// The place, in double. Beside the error of its crossing it is off by at most 2^-51 of the scene's size
+  /// (Scene::frame) and 2^-52 of its coordinates. For a ray from far away this is more accurate than o + t d.
   Point point;
   Normal normal;  ///< unit, out of the solid
-  Sense front;    ///< the side of the crossing's surface on which the ray comes; the solid's boundary is left behind on
-                  ///< the other
+  Sense front;    ///< the side of the crossing's surface that the ray comes from; it goes on to the other
 };
 
 inline EndFace end_face(const Attribution& face) { return {face.leaf, face.look, face.normal}; }

@@ -25,8 +25,8 @@ struct Difference {
 };
 
 /// The regularised Boolean combination of two lists along one line, in one sweep over their ends. Ends that tie are
-/// passed together, so intervals that touch join and none has zero length. `order(a, b)` orders two crossings. `result`
-/// must not be a or b; it is overwritten.
+/// passed together, so intervals that touch are joined, and none has zero length. `order(a, b)` orders two crossings.
+/// `result` is overwritten; it must not be a or b.
 template <class Operation, class Order>
 void combine(const IntervalList& a, const IntervalList& b, IntervalList& result, Order&& order) {
   result.clear();
@@ -55,8 +55,8 @@ void combine(const IntervalList& a, const IntervalList& b, IntervalList& result,
   }
 }
 
-/// Cuts a list to a span. An interval that starts exactly at span.from or ends exactly at span.to keeps that crossing;
-/// one that only touches the span vanishes; ends that are cut off have the span's t and no surface. `order(crossing,
+/// Cuts a list to a span. An end that is cut off gets the span's t and no surface. An interval that starts exactly at
+/// span.from or ends exactly at span.to keeps that crossing. One that only touches the span vanishes. `order(crossing,
 /// t)` orders a crossing and a number.
 template <class Order>
 void clip(IntervalList& list, Span span, Order&& order) {

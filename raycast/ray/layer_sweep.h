@@ -21,22 +21,22 @@ inline bool is_opaque(const Scene& scene, std::size_t layer) {
   return layer != no_layer && !scene.layers()[layer].region.valid();
 }
 
-/// Both layers transmit and look the same: no light turns or dims in between.
+/// True if both layers transmit and look the same: then light neither turns nor dims between them.
 inline bool same_medium(const Scene& scene, std::size_t a, std::size_t b) {
   const RegionId region_a = region_of(scene, a);
   const RegionId region_b = region_of(scene, b);
   return region_a.valid() && region_b.valid() && scene.region(region_a).look == scene.region(region_b).look;
 }
 
-/// Walks along a ray from stop to stop through the interval lists of the layers; ends of lists that tie make one stop.
-/// `Order`: a weak ordering of crossings.
+/// Walks along a ray through the interval lists of the layers, from stop to stop: a stop is an end of a list, and ends
+/// that tie make one stop. `Order` is a weak ordering of crossings.
 template <class Order>
 class LayerSweep {
  public:
   using Lists = std::vector<std::span<const Interval>>;
 
-  /// `passed[i]` counts the ends of list i that lie behind; ends that no surface makes at the start do from the
-  /// beginning.
+  /// `passed[i]` counts the ends of list i that have been passed; it is overwritten. An entry that no surface makes, at
+  /// the start of a list, counts as passed from the beginning.
   LayerSweep(const Lists& lists, std::vector<std::size_t>& passed, Order order)
       : lists_(lists), passed_(passed), order_(order) {
     passed_.assign(lists.size(), 0);
@@ -60,7 +60,7 @@ class LayerSweep {
     return true;
   }
 
-  /// The first layer that holds the ray right after the present stop.
+  /// The first layer that holds the ray right after the present stop; no_layer if none does.
   std::size_t holder() const {
     for (std::size_t layer = 0; layer < lists_.size(); ++layer) {
       if (passed_[layer] % 2 == 1) return layer;
@@ -88,8 +88,8 @@ class LayerSweep {
   Crossing stop_;
 };
 
-/// Calls tell(change, layer, end) for each change of medium of a sweep, ended by the first one into an opaque solid:
-/// the interface, whose crossing is that end of that layer's list.
+/// Calls tell(change, layer, end) for each change of medium of a sweep, up to the first one into an opaque solid. The
+/// crossing of the change is the end with that number in the list of that layer.
 template <class Order, class Tell>
 void each_change(const Scene& scene, LayerSweep<Order>& sweep, Tell&& tell) {
   std::size_t from = sweep.holder();
@@ -98,7 +98,8 @@ void each_change(const Scene& scene, LayerSweep<Order>& sweep, Tell&& tell) {
     if (to == from) continue;
     const bool into_opaque = is_opaque(scene, to);
     if (!same_medium(scene, from, to)) {
-      // The new medium's own face where it begins here; else it was hidden by the old one, whose face ends here.
+      // If the new medium begins here, the face is its own. Else the old medium hid it so far, and the old one's face
+      // is seen, which ends here.
       const bool enters = to != no_layer && sweep.begins_here(to);
       const std::size_t layer = enters ? to : from;
       const std::size_t end = sweep.last_end(layer);

@@ -11,18 +11,18 @@ namespace csgcast {
 
 /// Where a ray is inside two parts at once.
 struct PartOverlap {
-  PartId first;  ///< of the two the one that comes first in the file
+  PartId first;  ///< the part that comes first in the file
   PartId second;
-  Interval common;  ///< ends as those of Caster::intervals
+  Interval common;  ///< its ends are like those of Caster::intervals
 };
 
-/// Where two parts are on one ray: those that only touch have nothing in common, and parts overlap here exactly if they
-/// do on the exact line. Working memory of one thread.
+/// Finds where a ray is inside two parts at once. Parts that only touch do not overlap, and parts overlap here exactly
+/// if they do on the exact line. Holds the working memory of one thread.
 class PartOverlaps {
  public:
-  /// For each pair of parts of the caster's scene where its present ray is in both, within the span: by where they end
-  /// on the ray, then in file order. At most `most` of them are listed; what is returned is how many there are. Time
-  /// and memory: those of a list for each part, plus what is listed. The vector is overwritten.
+  /// Lists where the caster's present ray is in both of any two parts, within the span. Overlaps are sorted by where
+  /// they end on the ray, then in file order. At most `most` are listed; the number that there are is returned. Time
+  /// and memory are those of an interval list for each part, plus what is listed. The vector is overwritten.
   std::uint64_t find(Caster& caster, Span span, std::size_t most, std::vector<PartOverlap>& overlaps);
 
  private:
@@ -33,19 +33,19 @@ class PartOverlaps {
   };
   struct Inside {
     PartId part;
-    std::size_t since = 0;  // the place of its entry among the ends
+    std::size_t since = 0;  // the index of its entry in ends_
   };
 
   void collect(Caster& caster, Span span);
   void enter(PartId part, std::size_t end);
   Inside leave(PartId part);
-  // Adds what the part that leaves there has in common with those that the ray is in.
+  // Adds the overlaps of a part that the ray leaves at a crossing with the parts that the ray is still in.
   void list(const Inside& leaving, const Crossing& at, std::size_t most, std::vector<PartOverlap>& overlaps) const;
 
   IntervalList list_;
   std::vector<End> ends_;
-  std::vector<Inside> inside_;        // in no order
-  std::vector<std::uint32_t> place_;  // of each part that the ray is in, in inside_
+  std::vector<Inside> inside_;        // the parts that the ray is in, in no order
+  std::vector<std::uint32_t> place_;  // by part: where it stands in inside_, if the ray is in it
 };
 
 }  // namespace csgcast

@@ -8,7 +8,7 @@
 
 namespace csgcast {
 
-/// By region: 1 if all that it is made of looks like it.
+/// For each region 1 if all leaves that nothing subtracts have its look, else 0.
 inline std::vector<std::uint8_t> even_looks(const Scene& scene) {
   std::vector<std::uint8_t> even(scene.regions().size(), 1);
   for (const Leaf& leaf : scene.leaves()) {

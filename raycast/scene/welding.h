@@ -8,18 +8,18 @@
 
 namespace csgcast {
 
-/// Whether faces that were meant to coincide, but differ by the rounding of the scene's own numbers, become one surface
-/// when a scene is compiled. The answer is then that of the welded scene. What "the same but for rounding" means is
-/// derived in docs/welding.md; what does not weld stays apart, however close.
+/// How compile() treats faces that were meant to coincide but differ by the rounding of the scene's own numbers. If
+/// they are welded they become one surface, and the answer is that of the welded scene. What does not weld stays apart,
+/// however close. docs/welding.md derives what counts as equal but for rounding.
 struct Welding {
   enum class Mode : unsigned char {
     off,      ///< surfaces are the same only if they are equal
-    derived,  ///< also if they are equal but for rounding: of each number given, by half an ulp, and of the transforms
-    by_hand,  ///< and those at most `tolerance` times the size of the scene apart over the leaves that own them
+    derived,  ///< also if they are equal but for the rounding of each given number by half an ulp and of transforms
+    by_hand,  ///< also if they are at most `tolerance` times the scene's size apart over the leaves that own them
   };
   Mode mode = Mode::off;
-  double tolerance = 0;            ///< of by_hand: above 0, and at most `greatest_tolerance`
-  bool lists_near_misses = false;  ///< fill WeldReport::near_misses
+  double tolerance = 0;            ///< for by_hand: above 0, and at most `greatest_tolerance`
+  bool lists_near_misses = false;  ///< WeldReport::near_misses is to be filled
 
   static constexpr double greatest_tolerance = 0x1p-7;
 
@@ -27,25 +27,28 @@ struct Welding {
   static Welding by_hand(double relative) { return {Mode::by_hand, relative, false}; }
 };
 
-/// Two surfaces of leaves that touch or overlap, nearly the same but not welded.
+/// Two surfaces of leaves that touch or overlap. They are nearly the same, but were not welded.
 struct NearMiss {
   Place first;  ///< the statements that made them
   Place second;
-  double gap;  ///< how far they are apart at most over these leaves, in the scene's unit of length
+  double gap;  ///< the greatest distance between the two over these leaves, in the scene's unit of length
 };
 
 /// What welding did.
 struct WeldReport {
   std::size_t surfaces = 0;  ///< how many became another one
   std::size_t clusters = 0;  ///< how many surfaces took others in
-  double widest = 0;         ///< how far one of them moved at most over its leaf, in the scene's unit of length
+  double widest = 0;         ///< the farthest that a surface moved over its leaf, in the scene's unit of length
   /// True if the work was cut short: some surfaces that nearly coincide with very many others were left as they are.
   bool incomplete = false;
-  double size = 0;                    ///< of the scene: what tolerances are relative to; without one none welds by hand
-  std::size_t near_miss_count = 0;    ///< pairs of surfaces, if asked for
-  std::vector<NearMiss> near_misses;  ///< the nearest of each pair of statements, nearest first; `most_near_misses`
-  double suggested_tolerance =
-      0;  ///< would weld the near misses up to the last jump of their gaps by more than ten; 0: none
+  /// The size of the scene, which tolerances are relative to. 0 if it has none: then nothing is welded by hand.
+  double size = 0;
+  std::size_t near_miss_count = 0;  ///< pairs of surfaces, if near misses were asked for
+  /// The nearest miss of each pair of statements, nearest first, at most `most_near_misses`.
+  std::vector<NearMiss> near_misses;
+  /// A tolerance that would weld the near misses up to the last jump of their gaps by a factor of more than ten. 0 if
+  /// there is none.
+  double suggested_tolerance = 0;
 
   static constexpr std::size_t most_near_misses = 10;
 };

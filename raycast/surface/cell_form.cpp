@@ -39,7 +39,8 @@ double slack_of(const CellForm& form, const CellBox& box) {
   const auto& c = form.c;
   const Vector half = 0.5 * (box.upper - box.lower);
   const Vector p = 0.5 * (box.upper + box.lower) - form.center;
-  // What each term comes to at most; and what moving its argument by as much as coordinates round may change.
+  // `magnitude` is the sum of what each term comes to at most. `moved` bounds what it changes to move the argument by
+  // as much as the coordinates' magnitudes; they round by a small share of that.
   const Vector reach{std::fabs(p.x) + half.x, std::fabs(p.y) + half.y, std::fabs(p.z) + half.z};
   const Vector middle = 0.5 * (box.upper + box.lower);
   double magnitude = std::fabs(c[Form::one]);
@@ -54,8 +55,8 @@ double slack_of(const CellForm& form, const CellBox& box) {
     magnitude += std::fabs(c[Form::x + i]) * reach[i];
     moved += slope * (std::fabs(middle[i]) + std::fabs(form.center[i]) + half[i]);
   }
-  // A coefficient's rounding and some twenty operations come to less than 2^-48 of all terms, the differences of
-  // coordinates to less than 2^-51 of these.
+  // The rounding of a coefficient and some twenty operations comes to less than 2^-48 of `magnitude`. The rounding of
+  // differences of coordinates comes to less than 2^-51 of `moved`.
   return 0x1p-47 * magnitude + 0x1p-50 * moved + form.off;
 }
 

@@ -13,7 +13,7 @@ namespace csgcast {
 struct CellForm {
   Surface::Coefficients c{};
   Vector center;
-  double off = 0;  ///< what it may differ by from the surface's, beyond the rounding of its numbers
+  double off = 0;  ///< how far it may be off the surface's form, beyond the rounding of its numbers
 };
 
 /// An axis-aligned box in those coordinates; sides may be infinite.
@@ -22,7 +22,7 @@ struct CellBox {
   Vector upper;
 };
 
-/// A box of the scene in the frame's coordinates. Rounds by less than 2^-50 of numbers below 4.
+/// A box of the scene in the frame's coordinates. Numbers below 4 are off by less than 2^-50 of themselves.
 CellBox in_frame(const Box& box, const Frame& frame);
 
 /// A form about the middle of a box: value + gradient . d + bend(d) for d up to half the box's sides.
@@ -30,15 +30,15 @@ struct LocalForm {
   double value = 0;
   Vector gradient;
   std::array<double, 6> bend{};  ///< xx, yy, zz, xy, xz, yz, as of QuadricForm::Term
-  double slack = 0;              ///< more than the exact form of the surface differs from this one, anywhere in the box
+  double slack = 0;              ///< anywhere in the box the exact form differs from this one by less
 };
 
-/// Precondition: the box is finite. `slack` covers what the rounding of the form, of the box's middle and of the sums
-/// may hide.
+/// A form about the middle of a box. Its slack covers the rounding of the form, of the box's middle and of the sums.
+/// Precondition: the box is finite.
 LocalForm local_form(const CellForm& form, const CellBox& box);
-/// That slack; of a box within another one it is at most the other's.
+/// The slack of that form. A box within another one has at most the other's slack.
 double slack_of(const CellForm& form, const CellBox& box);
-/// The form with a slack that is known.
+/// The same form, with a slack that is known already.
 LocalForm local_form(const CellForm& form, const CellBox& box, double slack);
 
 }  // namespace csgcast

@@ -10,13 +10,14 @@ namespace csgcast::detail {
 
 using RoundedCoefficients = std::array<double, QuadricForm::term_count>;
 
-/// The form times a power of two, rounded to nearest, with the largest coefficient in [1/2, 1); what that leaves over,
-/// rounded, if asked for. False if a coefficient that is not zero came out as zero or subnormal, which would void the
-/// relative bound. `all_told` tells whether both together are the form exactly.
+/// Scales a form by a power of two, so that its largest coefficient is in [1/2, 1), and rounds it to nearest.
+/// `left_over`, if not null, gets the difference, rounded; `all_told`, if not null, whether both together are the
+/// scaled form exactly. False if a coefficient that is not zero came out as zero or subnormal: then the relative bound
+/// is void.
 bool round_scaled(const QuadricForm& form, RoundedCoefficients& rounded, RoundedCoefficients* left_over = nullptr,
                   bool* all_told = nullptr);
 
-/// q -> f(origin + 2^exponent q).
+/// The form of f in other coordinates q: f(origin + 2^exponent q), exactly.
 QuadricForm in_coordinates(const QuadricForm& f, const ExactPoint& origin, int exponent);
 
 }  // namespace csgcast::detail

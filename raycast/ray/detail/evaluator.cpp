@@ -18,30 +18,35 @@ IntervalList& Evaluator::push_list() {
 }
 
 const IntervalList& Evaluator::evaluate(NodeId node, Span span, Want want) {
-  frames_.clear();
+  open_.clear();
   list_count_ = 0;
   enter(node, span, want);
-  while (!frames_.empty()) {
-    Frame& frame = frames_.back();
-    if (frame.next == frame.node->count || decided(frame)) {
-      if (frame.node->op == Node::Op::complement) {
+  while (!open_.empty()) {
+    OpenNode& open = open_.back();
+    if (open.next == open.node->count || decided(open)) {
+      if (open.node->op == Node::Op::complement) {
         const IntervalList whole{{line_start(), line_end()}};
         combine<Difference>(whole, lists_[list_count_ - 1], scratch_,
                             [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); });
         std::swap(scratch_, lists_[list_count_ - 1]);
       }
-      frames_.pop_back();
+      open_.pop_back();
       deliver();
       continue;
     }
-    const NodeId child = scene_.children(*frame.node)[frame.next++];
-    const bool passes_on = frame.node->op == Node::Op::unite;
-    enter(child, child_span(frame), passes_on ? frame.want : Want::all);
+    const NodeId child = scene_.children(*open.node)[open.next++];
+    const bool passes_on = open.node->op == Node::Op::unite;
+    enter(child, child_span(open), passes_on ? open.want : Want::all);
   }
   return lists_.front();
 }
 
-// Opens a node; one without children, or out of reach, delivers its list at once.
+void Evaluator::evaluate_clipped(NodeId node, Span span, Want want, IntervalList& list) {
+  list = evaluate(node, span, want);
+  clip(list, span, [this](const Crossing& a, double t) { return cache_.order(a, t); });
+}
+
+// Opens a node. A node without children, or whose box the ray misses within the span, delivers its list at once.
 void Evaluator::enter(NodeId id, Span span, Want want) {
   const Node& node = scene_.node(id);
   if (node.op == Node::Op::empty) {
@@ -63,16 +68,16 @@ void Evaluator::enter(NodeId id, Span span, Want want) {
     leaf_intervals(scene_.leaf(LeafId(node.first)), reach, push_list());
     return deliver();
   }
-  frames_.push_back({&node, 0, span, want});
+  open_.push_back({&node, 0, span, want});
 }
 
-// The list on top of the stack is a child's result: combine it with what its parent has so far.
+// The list on top of the stack is the result of a child. It is combined with what the parent has so far.
 void Evaluator::deliver() {
-  if (frames_.empty() || frames_.back().next <= 1) return;
-  merge_into_parent(frames_.back());
+  if (open_.empty() || open_.back().next <= 1) return;
+  merge_into_parent(open_.back());
 }
 
-void Evaluator::merge_into_parent(const Frame& parent) {
+void Evaluator::merge_into_parent(const OpenNode& parent) {
   const auto by_order = [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); };
   const IntervalList& right = lists_[list_count_ - 1];
   IntervalList& left = lists_[list_count_ - 2];
@@ -90,35 +95,35 @@ void Evaluator::merge_into_parent(const Frame& parent) {
   std::swap(left, scratch_);
 }
 
-// Whether the children evaluated so far settle what is wanted of the frame.
-bool Evaluator::decided(const Frame& frame) {
-  if (frame.next == 0) return false;
+// True if the children evaluated so far settle what is wanted of the node.
+bool Evaluator::decided(const OpenNode& open) {
+  if (open.next == 0) return false;
   const IntervalList& so_far = lists_[list_count_ - 1];
-  if (frame.node->op != Node::Op::unite) return so_far.empty();
-  if (frame.want != Want::any) return false;
+  if (open.node->op != Node::Op::unite) return so_far.empty();
+  if (open.want != Want::any) return false;
   return std::any_of(so_far.begin(), so_far.end(), [&](const Interval& interval) {
-    return cache_.order(interval.exit, frame.span.from) > 0 && cache_.order(interval.entry, frame.span.to) < 0;
+    return cache_.order(interval.exit, open.span.from) > 0 && cache_.order(interval.entry, open.span.to) < 0;
   });
 }
 
 // The part of the span in which the next child can change the result.
-Span Evaluator::child_span(const Frame& frame) {
-  if (frame.next <= 1) return frame.span;  // next has been advanced to the child being entered
+Span Evaluator::child_span(const OpenNode& open) {
+  if (open.next <= 1) return open.span;  // next has been advanced to the child being entered
   const IntervalList& so_far = lists_[list_count_ - 1];
-  if (frame.node->op != Node::Op::unite) {
-    return {std::max(frame.span.from, cache_.earliest(so_far.front().entry)),
-            std::min(frame.span.to, cache_.latest(so_far.back().exit))};
+  if (open.node->op != Node::Op::unite) {
+    return {std::max(open.span.from, cache_.earliest(so_far.front().entry)),
+            std::min(open.span.to, cache_.latest(so_far.back().exit))};
   }
-  if (frame.want != Want::first) return frame.span;
+  if (open.want != Want::first) return open.span;
   // Nothing beyond the first entry after the span's start can be the first hit of the union.
   for (const Interval& interval : so_far) {
-    if (cache_.order(interval.entry, frame.span.from) > 0)
-      return {frame.span.from, std::min(frame.span.to, cache_.latest(interval.entry))};
+    if (cache_.order(interval.entry, open.span.from) > 0)
+      return {open.span.from, std::min(open.span.to, cache_.latest(interval.entry))};
   }
-  return frame.span;
+  return open.span;
 }
 
-// The run of the line inside all planes of a leaf; none if it is empty.
+// The run of the line that is inside all planes of a leaf; none if there is no such run.
 std::optional<Interval> Evaluator::run_inside_planes(const Leaf& leaf) {
   Interval run{line_start(), line_end()};
   for (const HalfSpace& half_space : scene_.half_spaces(leaf)) {
@@ -151,14 +156,14 @@ void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list)
                           [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); });
     std::swap(list, scratch_);
   }
-  // Of a local surface what lies outside the frame's cube may be missing (predicates.h): whatever that makes is outside
-  // the leaf's box.
+  // Crossings of a local surface outside the frame's cube may be missing (predicates.h). The intervals that this makes
+  // wrong lie outside the leaf's box.
   std::erase_if(list, [&](const Interval& interval) {
     return cache_.earliest(interval.entry) > reach.to || cache_.latest(interval.exit) < reach.from;
   });
 }
 
-// The runs of the line on a quadric half-space's side, into half_space_.
+// Fills half_space_ with the runs of the line that are in the half-space of a quadric.
 void Evaluator::half_space_intervals(const HalfSpace& half_space) {
   const LineCrossings& found = cache_.found(half_space.surface);
   half_space_.clear();

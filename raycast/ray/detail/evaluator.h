@@ -14,39 +14,42 @@ namespace csgcast::detail {
 /// How much of the list is wanted.
 enum class Want : std::uint8_t {
   all,    ///< every interval in the span
-  first,  ///< whether the span's start is inside, and the first entry if it is not; arbitrary beyond
-  any,    ///< some interval with an inside in the span, if there is one
+  first,  ///< right up to the first entry after the span's start, and so right about the start; arbitrary beyond
+  any,    ///< at least one interval that has an inside in the span, if there is one
 };
 
 /// The definition of the engine: interval lists of leaves, merged bottom-up by union, intersection and difference.
 ///
-/// What cannot matter is not evaluated: nodes whose box the span misses, the right side of a difference whose left is
-/// empty, the rest of an intersection once it is empty, children beyond the extent of what they are combined with. One
-/// explicit stack: trees may be a million deep.
+/// What cannot matter is not evaluated: nodes whose box the ray misses within the span, the right side of a difference
+/// whose left is empty, the rest of an intersection once it is empty, children beyond the extent of what they are
+/// combined with. The walk keeps a stack of its own and does not recurse: trees may be a million deep.
 class Evaluator {
  public:
   Evaluator(const Scene& scene, LineCache& cache);
 
-  /// The list of a node along the cache's ray, right within the span and unclipped; valid until the next call. The
-  /// bounding surface of an end at which several surfaces tie may be any of them.
+  /// The list of a node along the cache's ray, right within the span and unclipped; valid until the next call. Where
+  /// several surfaces tie at an end, the crossing told may be that of any of them.
   const IntervalList& evaluate(NodeId node, Span span, Want want);
+  /// The same list, clipped to the span. `list` is overwritten.
+  void evaluate_clipped(NodeId node, Span span, Want want, IntervalList& list);
 
   std::uint64_t box_tests() const { return box_tests_; }
   std::uint64_t leaf_tests() const { return leaf_tests_; }
 
  private:
-  struct Frame {
+  // A node on the way from the root to the node that is evaluated now.
+  struct OpenNode {
     const Node* node;
     std::uint32_t next;  // the child to evaluate next
-    Span span;
+    Span span;           // the part of the line in which its list matters
     Want want;
   };
 
   void enter(NodeId id, Span span, Want want);
   void deliver();
-  Span child_span(const Frame& frame);
-  bool decided(const Frame& frame);
-  void merge_into_parent(const Frame& parent);
+  Span child_span(const OpenNode& open);
+  bool decided(const OpenNode& open);
+  void merge_into_parent(const OpenNode& parent);
   std::optional<Interval> run_inside_planes(const Leaf& leaf);
   void leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list);
   void half_space_intervals(const HalfSpace& half_space);
@@ -54,9 +57,9 @@ class Evaluator {
 
   const Scene& scene_;
   LineCache& cache_;
-  std::vector<Frame> frames_;
-  // A stack of lists whose memory stays: one for each open frame that has a result so far, and the one on its way to
-  // its parent.
+  std::vector<OpenNode> open_;  // a stack, the root first
+  // A stack of lists whose memory stays: one for each open node that has a result so far, and the one on its way to its
+  // parent.
   std::vector<IntervalList> lists_;
   std::size_t list_count_ = 0;
   IntervalList scratch_;

@@ -7,7 +7,7 @@ LineCache::LineCache(const Scene& scene, const Predicates& predicates)
     : scene_(scene), predicates_(predicates), line_(Ray({}, {0, 0, 1}), scene.frame()) {}
 
 void LineCache::begin(const Ray& ray, SurfaceId departure, Sense side) {
-  // Not before: many casters never get a ray.
+  // The memory is taken only now, because many casters never get a ray.
   if (entries_.empty()) entries_.resize(scene_.surfaces().size());
   line_ = Line(ray, scene_.frame(), departure, side);
   line_.memory = &memory_;
@@ -33,7 +33,7 @@ Crossing LineCache::reported(const Crossing& crossing) {
 }
 
 Point LineCache::point(const Crossing& crossing) {
-  // Without a bounded leaf the frame is the world's own, and no nearer to the place than the ray's start.
+  // Without a bounded leaf the frame is the world's own, whose center is no nearer to the place than the ray's start.
   if (!scene_.bounded_leaves().is_finite()) return line_.ray.at(crossing.t);
   const LineFrame& line = line_.in_frame;
   const double tau = found(crossing.surface).tau(crossing.root);

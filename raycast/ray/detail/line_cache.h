@@ -20,38 +20,44 @@ class LineCache {
  public:
   LineCache(const Scene& scene, const Predicates& predicates);
 
+  /// Turns to another ray. `departure` is the surface that the ray starts on, going to that side; not valid if none.
   void begin(const Ray& ray, SurfaceId departure, Sense side);
   const Ray& ray() const { return line_.ray; }
-  /// How often a surface was met, how often exact arithmetic decided, and for how many rays it had to, since the cache
-  /// was made.
+  /// How often the crossings of a ray and a surface were computed since the cache was made.
   std::uint64_t surface_tests() const { return surface_tests_; }
+  /// The decisions that double left open since the cache was made.
   const ExactCalls& exact_calls() const { return exact_calls_; }
+  /// The number of rays with such a decision, but for the rounding of a reported t.
   std::uint64_t rays_flagged() const {
     return rays_flagged_ + (exact_calls_.beyond_double() != calls_at_begin_ ? 1 : 0);
   }
 
+  /// The crossings of the present ray's line with a surface.
   const LineCrossings& found(SurfaceId id);
+  /// One of them, with a t that is a few roundings off. Precondition: root < found(id).count.
   Crossing crossing(SurfaceId id, std::uint8_t root) {
     return {finite(line_.in_frame.t(found(id).tau(root))), id, root};
   }
-  /// The crossing with the t to report.
+  /// The crossing with the t to report. An end that no surface makes stays as it is.
   Crossing reported(const Crossing& crossing);
-  /// Its place in the world, rounded. Precondition: a surface makes it.
+  /// The crossing's place in the world, rounded. Precondition: a surface makes it.
   Point point(const Crossing& crossing);
-  /// Numbers that no exact t of a crossing is below, or above; of an infinite end, itself. For culling.
+  /// Lower bound on the exact t of a crossing, for culling; for an end that no surface makes, its t itself.
   double earliest(const Crossing& crossing) {
     if (!crossing.surface.valid()) return crossing.t;
     const double off = slack(crossing);
     return std::isinf(off) ? -off : crossing.t - off;  // t may be infinite, too: it lies beyond the doubles
   }
+  /// Upper bound, likewise.
   double latest(const Crossing& crossing) {
     if (!crossing.surface.valid()) return crossing.t;
     const double off = slack(crossing);
     return std::isinf(off) ? off : crossing.t + off;
   }
 
-  /// Orders crossings that may be infinite ends (no surface, t = ±infinity).
+  /// Which of two crossings comes first. Either may be an end that no surface makes, such as an infinite one.
   std::weak_ordering order(const Crossing& a, const Crossing& b);
+  /// Orders a crossing and a number, which may be infinite.
   std::weak_ordering order(const Crossing& a, double t);
   /// How many crossings of the surface come before `at`, and whether the next one ties with it.
   struct Rank {
@@ -62,7 +68,7 @@ class LineCache {
 
  private:
   struct Entry {
-    std::uint64_t ray_number = 0;
+    std::uint64_t ray_number = 0;  // of the ray whose crossings these are; 0: of none
     LineCrossings crossings;
   };
   CrossingView view(const Crossing& crossing) {
@@ -73,6 +79,7 @@ class LineCache {
     constexpr double most = std::numeric_limits<double>::max();
     return std::clamp(t, -most, most);
   }
+  // Bound on how far a crossing's t is off the exact one.
   double slack(const Crossing& crossing) {
     return 2 * found(crossing.surface).error * line_.in_frame.unit + 0x1p-50 * std::fabs(crossing.t);
   }

@@ -16,7 +16,7 @@ void LocalTree::clear() {
   parent_.clear();
   leaves_.clear();
   entry_of_.clear();
-  frames_.clear();
+  open_nodes_.clear();
   pending_.clear();
 }
 
@@ -33,20 +33,20 @@ void LocalTree::add_leaf(LeafId leaf) {
   leaves_.push_back(leaf);
 }
 
-// All children of the frame on top are entries by now: its own entry takes them.
+// Closes the node on top of the stack: all its children are entries by now, and its own entry takes them.
 void LocalTree::close() {
-  const Frame frame = frames_.back();
-  frames_.pop_back();
-  const Entry entry{frame.node->op, static_cast<std::uint32_t>(children_.size()),
-                    static_cast<std::uint32_t>(pending_.size() - frame.pending)};
-  for (std::size_t i = frame.pending; i < pending_.size(); ++i)
+  const OpenNode top = open_nodes_.back();
+  open_nodes_.pop_back();
+  const Entry entry{top.node->op, static_cast<std::uint32_t>(children_.size()),
+                    static_cast<std::uint32_t>(pending_.size() - top.pending)};
+  for (std::size_t i = top.pending; i < pending_.size(); ++i)
     parent_[pending_[i]] = static_cast<std::uint32_t>(entries_.size());
-  children_.insert(children_.end(), pending_.begin() + static_cast<std::ptrdiff_t>(frame.pending), pending_.end());
-  pending_.resize(frame.pending);
+  children_.insert(children_.end(), pending_.begin() + static_cast<std::ptrdiff_t>(top.pending), pending_.end());
+  pending_.resize(top.pending);
   add(entry);
 }
 
-// Of an entry with children, from theirs.
+// The truth of an entry that is no leaf, from its children's.
 Truth LocalTree::value_of(const Entry& entry) const {
   const auto children = std::span(children_).subspan(entry.first, entry.count);
   switch (entry.op) {
@@ -105,7 +105,7 @@ LeafId LocalTree::first_holding_leaf() {
     if (!active_[i]) continue;
     const Entry& entry = entries_[i];
     if (entry.op == Node::Op::leaf) first = std::min(first, leaves_[entry.first]);
-    // Of a difference only the first child holds anything; of a complement none does.
+    // In a difference only the first child holds anything, in a complement none does.
     std::uint32_t holding = 0;
     if (entry.op == Node::Op::unite || entry.op == Node::Op::intersect) holding = entry.count;
     if (entry.op == Node::Op::subtract) holding = 1;

@@ -15,46 +15,47 @@ enum class Truth : std::uint8_t { no, unknown, yes };
 
 constexpr Truth truth(bool value) { return value ? Truth::yes : Truth::no; }
 
-/// The part of a scene's tree that matters near one place: nodes whose boxes are away from it count as empty. Small,
-/// and evaluated many times.
+/// The part of a scene's tree that matters near one place: nodes whose boxes do not hold the place count as empty. It
+/// is small, and can be evaluated many times.
 class LocalTree {
  public:
-  /// `near(box)`: whether the place may be in the box.
+  /// Takes the part of the tree below `root`. `near(box)` tells whether the place may be in a box of the scene.
   template <class Near>
   void build(const Scene& scene, NodeId root, Near&& near) {
     clear();
     open(scene, root, near);
-    while (!frames_.empty()) {
-      Frame& frame = frames_.back();
-      const std::span<const NodeId> children = scene.children(*frame.node);
-      if (frame.next < children.size()) {
-        open(scene, children[frame.next++], near);
+    while (!open_nodes_.empty()) {
+      OpenNode& top = open_nodes_.back();
+      const std::span<const NodeId> children = scene.children(*top.node);
+      if (top.next < children.size()) {
+        open(scene, children[top.next++], near);
       } else {
         close();
       }
     }
   }
 
-  /// The leaves near the place; a leaf's index here is its slot.
+  /// The leaves near the place. A leaf's index in this list is its slot.
   std::span<const LeafId> leaves() const { return leaves_; }
-  /// The root's truth, given that of each leaf (by slot).
+  /// The root's truth, given that of each leaf, by slot.
   Truth evaluate(std::span<const Truth> leaf_truth);
-  /// Changes one leaf's truth since the last evaluation and follows it to the root: its truth now. Costs the leaf's
-  /// depth at most.
+  /// Changes one leaf's truth in the last evaluation, follows the change towards the root and returns the root's truth.
+  /// The cost is at most of the order of the leaf's depth. Precondition: evaluate() was called.
   Truth update(std::size_t slot, Truth leaf_truth);
-  /// Of the leaves that hold the place and that no operator subtracts or leaves out, the first in file order. Looks at
-  /// the last evaluation.
+  /// The first leaf in file order, of those that hold the place and that no operator subtracts or leaves out, by the
+  /// last evaluation or update. Not valid if there is none.
   LeafId first_holding_leaf();
 
  private:
   struct Entry {
     Node::Op op;
-    std::uint32_t first = 0;  // of its children in children_, or a leaf's slot
+    std::uint32_t first = 0;  // where its children start in children_; for a leaf, its slot
     std::uint32_t count = 0;
   };
-  struct Frame {
+  // A node of the scene's tree whose children are being added.
+  struct OpenNode {
     const Node* node;
-    std::uint32_t next;
+    std::uint32_t next;   // the child to add next
     std::size_t pending;  // where its children's entries start in pending_
   };
 
@@ -65,7 +66,7 @@ class LocalTree {
     if (constant) return add({node.op, 0, 0});
     if (!near(node.box)) return add({Node::Op::empty, 0, 0});
     if (node.op == Node::Op::leaf) return add_leaf(LeafId(node.first));
-    frames_.push_back({&node, 0, pending_.size()});
+    open_nodes_.push_back({&node, 0, pending_.size()});
   }
   void clear();
   void close();
@@ -78,10 +79,10 @@ class LocalTree {
   std::vector<std::uint32_t> parent_;    // by entry; the root's is its own
   std::vector<LeafId> leaves_;
   std::vector<std::uint32_t> entry_of_;  // by slot
-  std::vector<Truth> value_;
-  std::vector<std::uint8_t> active_;
-  std::vector<Frame> frames_;
-  std::vector<std::uint32_t> pending_;
+  std::vector<Truth> value_;             // by entry, of the last evaluation
+  std::vector<std::uint8_t> active_;     // by entry: it holds the place, and so do the entries above it
+  std::vector<OpenNode> open_nodes_;     // a stack, the root first
+  std::vector<std::uint32_t> pending_;   // entries that no parent has taken yet
 };
 
 }  // namespace csgcast::detail

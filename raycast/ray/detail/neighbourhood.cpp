@@ -15,12 +15,12 @@ Neighbourhood::Neighbourhood(const Scene& scene, LineCache& cache) : scene_(scen
 void Neighbourhood::move_to(NodeId node, const Crossing& crossing) {
   crossing_ = crossing;
   look_around(node, {cache_.earliest(crossing), cache_.latest(crossing)});
-  // The surface that a ray departs from passes through the start by definition, so nearly along it a crossing may come
-  // out beyond the box of its leaf. Then boxes tell nothing.
+  // The surface that a ray departs from passes through the start by definition. A ray that goes nearly along it may
+  // then have a crossing beyond the box of its leaf, and boxes tell nothing.
   if (group_.empty()) look_around(node, Span::line());
 }
 
-// The leaves whose boxes the ray meets within the span; all of them if it is the whole line.
+// Takes the leaves whose boxes the ray meets within the span; all leaves if the span is the whole line.
 void Neighbourhood::look_around(NodeId node, Span at) {
   const bool everywhere = std::isinf(at.from) && std::isinf(at.to);
   tree_.build(scene_, node, [&](const Box& box) {
@@ -52,7 +52,7 @@ void Neighbourhood::add_leaf(std::uint32_t slot, LeafId leaf, const Crossing& cr
   }
 }
 
-// Sorts the positions that tie by surface, then by leaf.
+// Gathers the positions whose surfaces tie with the crossing, sorted by surface, then by leaf.
 void Neighbourhood::gather_group() {
   by_group_.clear();
   group_.clear();
@@ -82,7 +82,7 @@ Truth Neighbourhood::leaf_truth(std::uint32_t slot) const {
   return Truth::yes;
 }
 
-// Evaluates the node in a state: its value there.
+// Makes a state the present one. Returns the node's value in it.
 bool Neighbourhood::set_base(const Base& base) {
   side_ = base.side;
   for (Position& position : positions_) {
@@ -93,7 +93,7 @@ bool Neighbourhood::set_base(const Base& base) {
   return tree_.evaluate(leaf_truth_) == Truth::yes;
 }
 
-// Flips half-spaces in the present state: the node's value then. Positions of one leaf stand together.
+// Flips half-spaces in the present state. Returns the node's value then. Positions of one leaf stand together.
 bool Neighbourhood::flip(std::span<const std::uint32_t> positions) {
   for (const std::uint32_t i : positions) positions_[i].flipped = !positions_[i].flipped;
   Truth value = Truth::no;
@@ -101,7 +101,7 @@ bool Neighbourhood::flip(std::span<const std::uint32_t> positions) {
   return value == Truth::yes;
 }
 
-// The lowest surface whose flip alone, before or after, changes the result.
+// Chooses the lowest surface whose flip alone, before or after, changes the result. False if there is none.
 bool Neighbourhood::chosen_by_single_flip() {
   for (const Side side : {before, after}) {
     const bool start = set_base({side, 0});
@@ -118,8 +118,8 @@ bool Neighbourhood::chosen_by_single_flip() {
   return chosen_ != not_in_group;
 }
 
-// Flips the surfaces one by one in ascending order, from both sides; the lower of the first ones that change the
-// result.
+// Flips one surface after the other in ascending order until the result changes, once from each side. Chooses the lower
+// of the two surfaces that changed it.
 void Neighbourhood::chosen_by_walk() {
   for (const Side side : {before, after}) {
     const bool start = set_base({side, 0});
@@ -136,13 +136,13 @@ void Neighbourhood::chosen_by_walk() {
 void Neighbourhood::choose_surface() {
   if (chosen_ != not_in_group || group_.empty()) return;
   if (group_.size() == 1) {
-    // Its flip is what leads from one side to the other.
+    // Flipping the only surface leads from one side to the other.
     chosen_ = 0;
     bases_ = {{before, 0}, {after, 0}};
     return;
   }
   if (!chosen_by_single_flip()) chosen_by_walk();
-  // Only a crossing at which the node does not change gets here without a choice.
+  // There is no choice only if the node does not change at the crossing.
   if (chosen_ == not_in_group) chosen_ = 0;
 }
 
@@ -151,7 +151,8 @@ Crossing Neighbourhood::bounding_crossing() {
   return chosen_ == not_in_group ? crossing_ : group_[chosen_];
 }
 
-// The first leaf whose copy of the chosen surface alone, flipped in a base state on one side, changes the result.
+// The slot of the first leaf that changes the result if its copy of the chosen surface alone is flipped, in a base
+// state on that side.
 std::optional<std::uint32_t> Neighbourhood::first_single_copy(Side side) {
   for (const Base& base : bases_) {
     if (base.side != side) continue;
@@ -165,8 +166,9 @@ std::optional<std::uint32_t> Neighbourhood::first_single_copy(Side side) {
   return std::nullopt;
 }
 
-// Among the leaves that own the chosen surface: single copies in the state inside the solid, then in the state outside,
-// then walks. LeafIds ascend in file order.
+// The slot of the leaf whose face it is, of those that own the chosen surface. Single copies are flipped in the state
+// inside the solid, then in the state outside. If none of them changes the result, one copy after the other is flipped.
+// LeafIds ascend in file order.
 std::uint32_t Neighbourhood::owner_by_copies() {
   const std::span<const std::uint32_t> owned = positions_of(chosen_);
   owner_start_.clear();
@@ -190,7 +192,7 @@ std::uint32_t Neighbourhood::owner_by_copies() {
 
 LeafId Neighbourhood::bounding_leaf() {
   choose_surface();
-  // Without a group no near leaf owns the surface: it is no crossing of this node.
+  // Without a group no leaf near the crossing owns the surface: it is no crossing of this node.
   return chosen_ == not_in_group ? LeafId() : tree_.leaves()[owner_by_copies()];
 }
 

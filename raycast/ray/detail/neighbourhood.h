@@ -13,39 +13,41 @@
 
 namespace csgcast::detail {
 
-/// The state of a node's tree right before and right after one crossing of a ray: decides which of several surfaces
-/// that tie there bounds the solid, and which leaf the face belongs to (docs/architecture.md, Ties).
+/// The state of a node's tree right before and right after one crossing of a ray. Where several surfaces tie there it
+/// decides which of them bounds the solid, and which leaf the face belongs to (docs/answer.md, "Whose face it is").
 class Neighbourhood {
  public:
   Neighbourhood(const Scene& scene, LineCache& cache);
 
-  /// Looks at a crossing of the cache's present ray. The node's state should change there.
+  /// Turns to a crossing of the cache's present ray, one at which the ray should enter or leave the node.
   void move_to(NodeId node, const Crossing& crossing);
-  /// The bounding surface's crossing, by the tie rule.
+  /// The crossing of the surface that bounds the node there, by the tie rule. If no leaf of the node owns a surface
+  /// that ties with the crossing, the crossing itself.
   Crossing bounding_crossing();
-  /// The leaf whose face it is, by the same rule among the leaves that own the surface.
+  /// The leaf whose face is there, by the same rule among the leaves that own the bounding surface. Not valid if the
+  /// crossing is none of this node.
   LeafId bounding_leaf();
-  /// The first leaf in file order that nothing subtracts and that holds what lies right after (entry) or right before
-  /// (exit) the crossing; may be invalid.
+  /// The first leaf in file order, of those that nothing subtracts, that holds the place right after an entry or right
+  /// before an exit. Not valid if there is none.
   LeafId holding_leaf(Passage passage);
 
  private:
   enum Side : std::uint8_t { before, after };
   static constexpr std::uint32_t not_in_group = 0xffffffffu;
 
-  // One half-space of one near leaf.
+  // One half-space of one leaf near the crossing.
   struct Position {
     SurfaceId surface;
     std::uint32_t slot;   // of the leaf
-    std::uint32_t group;  // index into group_ if its surface ties with the crossing
+    std::uint32_t group;  // index into group_ if its surface ties with the crossing, else not_in_group
     std::uint8_t root;    // which of the surface's crossings ties
-    bool holds[2];        // before and after
-    bool flipped;
+    bool holds[2];        // by Side: it holds the ray there
+    bool flipped;         // the present state takes the opposite of that
   };
-  // A state to flip things in: a side, with some surfaces flipped already.
+  // A state in which surfaces are flipped one by one: that on one side, with some surfaces flipped already.
   struct Base {
     Side side;
-    std::uint32_t flipped_groups;  // those with a lower index are flipped
+    std::uint32_t flipped_groups;  // the groups with an index below this one are flipped
   };
 
   void look_around(NodeId node, Span at);
@@ -72,15 +74,15 @@ class Neighbourhood {
   LineCache& cache_;
   LocalTree tree_;
   Crossing crossing_;
-  Side side_ = before;                      // of the state that the tree was last evaluated in
+  Side side_ = before;                      // the side of the present state
   std::vector<Position> positions_;         // by slot, ascending
   std::vector<std::uint32_t> leaf_start_;   // where each slot's positions start, and the end
   std::vector<Crossing> group_;             // the crossings that tie, ascending by surface
   std::vector<std::uint32_t> by_group_;     // positions that tie, by group, then by leaf in file order
-  std::vector<std::uint32_t> group_start_;  // where each group's start in by_group_, and the end
+  std::vector<std::uint32_t> group_start_;  // where each group's positions start in by_group_, and the end
   std::vector<std::uint32_t> owner_start_;  // the same for the leaves that own the chosen surface
   std::vector<Truth> leaf_truth_;
-  std::uint32_t chosen_ = not_in_group;  // index into group_
+  std::uint32_t chosen_ = not_in_group;  // the bounding surface, an index into group_, once it is chosen
   std::vector<Base> bases_;              // the states in which flipping the chosen surface changes the result
 };
 

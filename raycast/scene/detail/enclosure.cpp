@@ -22,8 +22,8 @@ bool before(const HalfSpace& a, const HalfSpace& b) {
 
 CellForm form_of(const Surface& surface) { return {surface.local, surface.center}; }
 
-// Whether a box lies within a plane's half-space, clear of the plane by far more than rounding, of the numbers here as
-// of the places where rays start.
+// True if a box lies within a plane's half-space for certain. It must be clear of the plane by far more than the
+// rounding of the numbers here and of the places where rays start.
 bool holds(const Scene& scene, const HalfSpace& half_space, const Box& box) {
   constexpr double clearance = 0x1p-40;
   const Surface& plane = scene.surface(half_space.surface);
@@ -37,8 +37,8 @@ bool holds(const Scene& scene, const HalfSpace& half_space, const Box& box) {
   return most < -clearance * (plane.first_degree + plane.constant);
 }
 
-// Whether the closed set f <= 0 is convex because f is: its second degree, twice a symmetric matrix, has no negative
-// principal minor. Exact.
+// True if f is convex, and with it the closed set f <= 0. That is so exactly if the symmetric matrix of its second
+// degree has no negative principal minor; here twice that matrix is looked at. Exact.
 bool is_convex(const QuadricForm& f) {
   const auto& c = f.coefficient;
   const auto minor = [&](std::size_t i, std::size_t j) {
@@ -53,8 +53,9 @@ bool is_convex(const QuadricForm& f) {
   return determinant.sign() >= 0;
 }
 
-// Whether normals computed near the solid tell where a ray leaves such a set: their lengths have a lower bound, because
-// f is convex and far below 0 in the solid's middle (docs/accuracy.md, "Rays that lead away").
+// True if normals computed near the solid are accurate enough to tell to which side a ray leaves such a set. Their
+// lengths have a lower bound if f is convex and far below 0 in the solid's middle (docs/accuracy.md, "Rays that lead
+// away").
 bool has_sound_normals(const Scene& scene, const Surface& surface, Sense sense) {
   constexpr double depth = 0x1p-20;
   if (!surface.is_local || !scene.bounds().is_finite()) return false;
@@ -64,6 +65,7 @@ bool has_sound_normals(const Scene& scene, const Surface& surface, Sense sense) 
   return (sense == Sense::negative ? value : -value) < -depth * size;
 }
 
+// True if rays that leave the half-space lead away from it. Precondition: it holds the whole solid.
 bool leads_away(const Scene& scene, const HalfSpace& half_space) {
   const Surface& surface = scene.surface(half_space.surface);
   if (!surface.in_range) return false;
@@ -73,13 +75,14 @@ bool leads_away(const Scene& scene, const HalfSpace& half_space) {
   return is_convex(half_space.sense == Sense::negative ? form : -form);
 }
 
-// The half-spaces that hold what a node stands for, as far as is seen.
+// Finds half-spaces that hold all of a node. Not all of them are found.
 class Enclosure {
  public:
   explicit Enclosure(const Scene& scene) : scene_(scene) {}
 
   std::vector<HalfSpace> of(NodeId root) {
-    // Every node before its operands, the first of these first: backwards they are the last ones that were found.
+    // `order` has every node before its operands, and the first operand of a node first. It is gone through backwards,
+    // so the operands of a node are the last ones that were found.
     std::vector<NodeId> order;
     std::vector<NodeId> pending{root};
     while (!pending.empty()) {
@@ -93,7 +96,8 @@ class Enclosure {
   }
 
  private:
-  // Of what operators join. More are seldom of use, and deep chains must not take the square of their length.
+  // The most half-spaces kept of an operator. More are seldom of use, and with a limit deep chains of operators do not
+  // take time in the square of their length.
   static constexpr std::size_t most = 1024;
 
   // The children whose half-spaces matter to the node.
@@ -140,7 +144,7 @@ class Enclosure {
     return last;
   }
 
-  // Those of two sets that hold the other one, too.
+  // Those half-spaces of each of two nodes that hold the other node, too.
   std::vector<HalfSpace> common(std::vector<HalfSpace>& first, const Box& first_box, std::vector<HalfSpace>& second,
                                 const Box& second_box) const {
     std::sort(second.begin(), second.end(), before);
@@ -156,7 +160,7 @@ class Enclosure {
   }
 
   const Scene& scene_;
-  std::vector<std::vector<HalfSpace>> found_;  // of nodes that no parent has taken yet
+  std::vector<std::vector<HalfSpace>> found_;  // a stack: those of the nodes that no parent has taken yet
 };
 
 }  // namespace

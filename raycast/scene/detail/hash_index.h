@@ -7,12 +7,12 @@
 
 namespace csgcast::detail {
 
-/// Finds the entries of a table by their hashes: entries are numbered from 0 and live elsewhere. Eight bytes a slot, at
-/// most three quarters of the slots taken; linear probing.
+/// Finds the entries of a table by their hashes. Entries are numbered from 0 and live elsewhere. A slot takes eight
+/// bytes, at most three quarters of the slots are taken, and probing is linear.
 class HashIndex {
  public:
-  /// The number of the entry with this hash for which `same(number)` holds; if there is none, `next` is added and
-  /// returned: the number of the entry that the caller is about to append.
+  /// The number of the entry with this hash for which `same(number)` holds. If there is none, `next` is added and
+  /// returned. `next` is the number of the entry that the caller is about to append.
   template <class Same>
   std::uint32_t find_or_add(std::uint64_t hash, std::uint32_t next, Same&& same) {
     if (4 * (count_ + 1) > 3 * slots_.size()) grow();
@@ -33,7 +33,7 @@ class HashIndex {
   static constexpr std::uint32_t none = 0xffffffffu;
   static constexpr std::size_t least = 16;
   struct Slot {
-    std::uint32_t tag = 0;  // of the hash: its upper half
+    std::uint32_t tag = 0;  // the upper half of the hash
     std::uint32_t number = none;
   };
 
@@ -48,7 +48,7 @@ class HashIndex {
     slots_ = std::move(larger);
   }
 
-  std::vector<Slot> slots_;  // a power of two of them
+  std::vector<Slot> slots_;  // their number is a power of two
   std::size_t count_ = 0;
 };
 

@@ -21,7 +21,7 @@ Point middle_of(const Box& leaf) {
   return p;
 }
 
-// The frame's center takes the place of what is not known.
+// Coordinates that are NaN are taken from the frame's center.
 Point completed(Point p, const Frame& frame) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (std::isnan(p[axis])) p[axis] = frame.center[axis];

@@ -12,28 +12,29 @@
 
 namespace csgcast::detail {
 
-/// The surfaces of a scene, one for each canonical form: proportional forms share an id, and the sign of the factor is
-/// the sense.
+/// The surfaces of a scene, one for each canonical form. Forms that are multiples of each other share an id, and the
+/// sign of the factor tells the sense of the half-space.
 class SurfaceTable {
  public:
-  /// The half-space f <= 0 of a leaf with these bounds. Precondition: f is not constant.
+  /// The half-space f <= 0 of a leaf with these bounds. Its surface is added if it is not there. Precondition: f is not
+  /// constant.
   HalfSpace half_space(const QuadricForm& f, const Box& leaf);
 
   std::size_t size() const { return entries_.size(); }
   const PackedForm& form(SurfaceId id) const { return entries_[id.index()].form; }
 
-  /// Makes surfaces one: each becomes replacements[id], which is itself or one that stays. Ids close up in the order of
-  /// first appearance. Returns what the positive side of each old surface is now.
+  /// Replaces surface i by replacements[i], for all i. That is surface i itself, or one that stays itself. The ids that
+  /// are left close up, in the order of first appearance. Returns what the positive side of each old surface is now.
   std::vector<HalfSpace> merge(std::span<const Replacement> replacements);
 
-  /// All surfaces with their floating-point forms in a frame. Leaves the table empty.
+  /// All surfaces, with their floating-point forms in a frame. The table is empty afterwards.
   std::vector<Surface> take(const Frame& frame);
 
  private:
   struct Entry {
     PackedForm form;
-    Point near;     // the middle of one leaf that owns the surface; NaN along an axis that the leaf has no end on
-    bool is_local;  // all such leaves are bounded
+    Point near;     // the middle of one leaf that owns the surface; NaN on an axis along which that leaf is unbounded
+    bool is_local;  // all leaves that own the surface are bounded
   };
   std::vector<Entry> entries_;
   HashIndex by_form_;

@@ -12,9 +12,10 @@ namespace {
 
 using Form = QuadricForm;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Errors above this share of the largest coefficient say that the numbers determine nothing.
+// If errors are above this share of the largest coefficient, the numbers determine nothing.
 constexpr double most_error = 0x1p-20;
-// Of f_i g_m - g_i f_m in twofold numbers: each is off by a relative 2^-104, products and difference by a few more.
+// The rounding of f_i g_m - g_i f_m: each number is off by a relative 2^-104, products and difference by a few times
+// that.
 constexpr double rounding = 0x1p-100;
 
 // The magnitude of an entry of the matrix of second derivatives.
@@ -28,7 +29,7 @@ std::size_t largest(const RegionForm& f) {
                                   f.coefficient.begin());
 }
 
-// f_i g_m - g_i f_m: f less g scaled to it, times g_m.
+// f_i g_m - g_i f_m: the difference between f and g scaled to f, in coefficient i and times g_m.
 Twofold difference(const RegionForm& f, const RegionForm& g, std::size_t i, std::size_t m) {
   return f.coefficient[i] * g.coefficient[m] + -(g.coefficient[i] * f.coefficient[m]);
 }
@@ -76,7 +77,7 @@ RegionForm seen_from(const RegionForm& form, const Region& region, const Region&
     const Twofold difference = two_sum(place.center[k], -region.center[k]);
     way[k] = {std::ldexp(difference.high, -region.exponent), std::ldexp(difference.low, -region.exponent)};
   }
-  // f(way + s): the gradient at `way` for the first degree, the value there for the constant.
+  // f(way + s) has the gradient at `way` as its first degree, and the value there as its constant.
   RegionForm moved = form;
   moved.is_exact = false;
   const auto& c = form.coefficient;
@@ -93,8 +94,8 @@ RegionForm seen_from(const RegionForm& form, const Region& region, const Region&
 }
 
 FormError error_of(const RegionForm& form, const SmallMotion& motion) {
-  // The gradient's component k is at most slope[k] + sum over l of bend(k, l) |s_l|, the motion's offset[k] + sum over
-  // m of slope(k, m) |s_m|: their product, term by term.
+  // The gradient's component k is at most steepness + sum over l of bend(k, l) |s_l|. The motion's is at most offset[k]
+  // + sum over m of slope(k, m) |s_m|. The change is at most their product, which is summed term by term.
   FormError error{};
   for (std::size_t k = 0; k < 3; ++k) {
     const double steepness = std::fabs(form.coefficient[Form::x + k].high);
@@ -119,7 +120,7 @@ double distance_in_errors(const RegionForm& f, const FormError& f_error, const R
     if (!(f_error[i] <= most_error && g_error[i] <= most_error)) return infinity;
     const double fi = std::fabs(f.coefficient[i].high), gi = std::fabs(g.coefficient[i].high);
     if (f.is_exact && g.is_exact && same(f, g, i) && same(f, g, m)) continue;
-    // What the rounding of the forms may hide counts as apart: errors smaller than that tell nothing.
+    // What the rounding of the forms may hide counts as a difference: errors that are smaller than that tell nothing.
     const double apart = std::fabs(difference(f, g, i, m).high) + rounding * (fi * gm + gi * fm);
     if (apart == 0 || i == m) continue;
     most = std::fmax(most, apart / (gm * f_error[i] + fm * g_error[i] + fi * g_error[m] + gi * f_error[m]));
@@ -135,7 +136,8 @@ bool is_flipped(const RegionForm& f, const RegionForm& g) {
 double gap(const RegionForm& f, const RegionForm& g, const Region& region, const Box& box) {
   if (f.is_plane != g.is_plane || !f.in_range || !g.in_range) return infinity;
   if (f.is_plane) return plane_gap(f, g, region, box);
-  // How large a motion, shared between the two, tells for the difference: `tiny` on each axis at the box's sides.
+  // The gap is the motion, shared between the two surfaces, that explains their difference. One of `tiny` on each axis
+  // at the box's sides is tried, and scaled by how many times its effect they are apart.
   constexpr double tiny = 0x1p-40;
   SmallMotion motion;
   for (std::size_t k = 0; k < 3; ++k) {

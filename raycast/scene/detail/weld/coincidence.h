@@ -20,44 +20,45 @@ struct Region {
 
   /// About a finite box: |s| <= 1 in it.
   static Region around(const Box& box);
-  /// Whether doubles tell its size from its center's last bit; if not, no error about it can be told.
+  /// False if the region is so small beside its center's coordinates that doubles cannot tell errors in it.
   bool is_resolved() const;
 };
 
-/// A surface in a region's coordinates, up to a factor, to a relative 2^-104.
+/// A surface's form in a region's coordinates, up to a factor. Its coefficients are off by a relative 2^-104.
 struct RegionForm {
   std::array<Twofold, QuadricForm::term_count> coefficient;
-  bool in_range = true;   ///< false: a coefficient underflowed
-  bool is_exact = false;  ///< true: not even rounded to that
+  bool in_range = true;   ///< false if a coefficient underflowed
+  bool is_exact = false;  ///< true if nothing was rounded
   bool is_plane = false;
 
   RegionForm() = default;
   RegionForm(const QuadricForm& form, const Region& region);
 };
 
-/// The same surface about another center; both regions must have one exponent. Off by a relative 2^-100 of the
-/// magnitudes in the first region.
+/// The same surface in a region about another center. It is off by 2^-100 of the magnitudes in the first region.
+/// Precondition: both regions have the same exponent.
 RegionForm seen_from(const RegionForm& form, const Region& region, const Region& place);
 
-/// An unknown small motion of a surface, in a region's coordinates: s -> s + offset + slope s, each entry known by its
-/// greatest magnitude.
+/// An unknown small motion of a surface, in a region's coordinates: s -> s + offset + slope s. Each entry here is the
+/// greatest magnitude that the motion's may have.
 struct SmallMotion {
   std::array<double, 3> offset{};
   std::array<double, 9> slope{};
 };
 
-/// What an unknown small motion may do to each coefficient, to first order.
+/// How much an unknown small motion may change each coefficient, to first order.
 FormError error_of(const RegionForm& form, const SmallMotion& motion);
 
-/// How many times their errors two surfaces are apart in the coefficient that tells them apart most, one of them scaled
-/// to the other: at most 1 if they could be the same. Infinite if errors are not finite or too large to tell anything.
+/// How far two surfaces are apart, in multiples of their errors: at most 1 if they could be the same. One surface is
+/// scaled to the other, and the coefficient counts in which they are farthest apart. Infinite if errors are not finite
+/// or too large to tell anything.
 double distance_in_errors(const RegionForm& f, const FormError& f_error, const RegionForm& g, const FormError& g_error);
 
-/// Whether g is nearer to -f than to f.
+/// True if g is nearer to -f than to f.
 bool is_flipped(const RegionForm& f, const RegionForm& g);
 
-/// How far two surfaces are apart at most over a box about the region, in the scene's unit of length; for quadrics
-/// about so. Infinite if they have little in common, as a plane and a quadric.
+/// The greatest distance of two surfaces over a box about the region, in the scene's unit of length; for quadrics an
+/// estimate of it. Infinite if they have little in common, as a plane and a quadric.
 double gap(const RegionForm& f, const RegionForm& g, const Region& region, const Box& box);
 
 }  // namespace csgcast::detail

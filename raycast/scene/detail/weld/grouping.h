@@ -9,7 +9,7 @@
 
 namespace csgcast::detail {
 
-/// Numbers below a count, joined into groups.
+/// The numbers below a count, joined into groups.
 class Grouping {
  public:
   using Groups = std::vector<std::vector<std::uint32_t>>;
@@ -21,15 +21,16 @@ class Grouping {
     parent_[std::max(x, y)] = std::min(x, y);
   }
 
-  /// The groups of two or more, of those numbers that are wanted, ascending.
+  /// The groups, ascending, with only those numbers i for which wanted(i) is true. Groups of fewer than two of them are
+  /// left out.
   template <class Wanted>
   Groups groups(Wanted&& wanted) {
-    std::vector<std::uint32_t> count(parent_.size());  // of each root's group
+    std::vector<std::uint32_t> count(parent_.size());  // by root: the size of its group
     for (std::uint32_t i = 0; i < parent_.size(); ++i) {
       if (wanted(i)) ++count[root_of(i)];
     }
     Groups groups;
-    std::vector<std::uint32_t> place(parent_.size());  // of each root's group, in groups
+    std::vector<std::uint32_t> place(parent_.size());  // by root: where its group stands in groups
     for (std::uint32_t i = 0; i < parent_.size(); ++i) {
       if (count[i] < 2) continue;
       place[i] = static_cast<std::uint32_t>(groups.size());

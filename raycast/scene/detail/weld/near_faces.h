@@ -16,15 +16,16 @@ struct LeafFaces {
   std::vector<std::uint32_t> surfaces;
 };
 
-/// Finds faces of leaves that touch or overlap, or of one leaf, that are nearly the same: for tolerances that a person
-/// sets, which may be large beside a leaf.
+/// Finds faces that are nearly the same, of one leaf or of two leaves that touch or overlap. It is made for tolerances
+/// that a person sets, which may be large compared with a leaf.
 class NearFaces {
  public:
-  /// Forms of all surfaces in one region; those of one pair are at most `most_gap` apart over the boxes of its leaves.
+  /// `forms` are those of all surfaces, in one region. The surfaces of a pair are at most `most_gap` apart over the
+  /// boxes of its leaves.
   NearFaces(std::span<const RegionForm> forms, const Region& region, double most_gap)
       : forms_(forms), region_(region), most_gap_(most_gap) {}
 
-  /// A pair of surfaces a < b with the leaves that brought them together; may come again with other leaves.
+  /// A pair of surfaces a < b, with the leaves that brought them together. It may come again with other leaves.
   struct Pair {
     std::uint32_t a;
     std::uint32_t b;
@@ -32,7 +33,7 @@ class NearFaces {
     std::uint32_t leaf_of_b;
     double gap;
   };
-  /// Takes a pair; false if it wants no more.
+  /// Takes a pair. Returns false if it wants no more.
   using Take = std::function<bool(const Pair&)>;
 
   /// Hands each pair over. False if `most_work` comparisons were not enough, or no more were wanted.
@@ -40,7 +41,7 @@ class NearFaces {
 
  private:
   bool compare(std::span<const LeafFaces> leaves, std::uint32_t i, std::uint32_t j, const Take& take);
-  // The forms of a leaf's surfaces about a place.
+  // Fills `moved` with the forms of a leaf's surfaces about a place.
   void move_to(const Region& place, const LeafFaces& leaf, std::vector<RegionForm>& moved) const;
 
   std::span<const RegionForm> forms_;

@@ -12,7 +12,7 @@ using Form = QuadricForm;
 using Matrix = std::array<double, 9>;
 constexpr double u = 0x1p-53;
 
-// A linear function of s, the constant last.
+// A linear function of s. Its constant comes last.
 using LinearForm = std::array<double, 4>;
 
 void add_product(FormError& sum, double factor, const LinearForm& a, const LinearForm& b) {
@@ -36,7 +36,8 @@ FormError substituted(const FormError& c, const std::array<LinearForm, 3>& q) {
   return sum;
 }
 
-// Adds what the points at + spread s, known to |off| on each axis and moved by `linear` to the world, may be off.
+// Adds the motion of points that are off by up to |off| on each axis, a function of s, and that `linear` then moves to
+// the world.
 void add_moved(SmallMotion& motion, const Matrix& linear, const std::array<LinearForm, 3>& off, int exponent) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -48,7 +49,7 @@ void add_moved(SmallMotion& motion, const Matrix& linear, const std::array<Linea
   }
 }
 
-// Equal for equal transforms: adding zero makes one of the two zeros.
+// Equal transforms have equal hashes: adding zero makes a positive zero of a negative one.
 std::uint64_t hash(std::uint32_t outer, const Transform& transform) {
   std::uint64_t h = outer;
   for (const double entry : transform.entry) {
@@ -78,7 +79,7 @@ bool Provenance::is_link(const Link& link, ChainId outer, const Transform& trans
   return true;
 }
 
-// Of a translation: nothing turns, and the whole is that of the chain outside.
+// Sets the linear parts of a link. A translation has none of its own, and the whole is that of the chain outside.
 void Provenance::set_linear(Link& link, const Transform& transform, const ExactAffine& world_from_solid) {
   Turn turn;
   turn.error = transform.linear_error;
@@ -107,7 +108,7 @@ void Provenance::set_linear(Link& link, const Transform& transform, const ExactA
 }
 
 Provenance::ChainId Provenance::chain(ChainId outer, const Transform& transform, const ExactAffine& world_from_solid) {
-  // The index counts from the first chain that is not empty.
+  // The index numbers chains from the first one that is not empty.
   const auto next = static_cast<std::uint32_t>(links_.size() - 1);
   const std::uint32_t number = by_transform_.find_or_add(
       hash(outer, transform), next, [&](std::uint32_t other) { return is_link(links_[other + 1], outer, transform); });
@@ -161,7 +162,7 @@ FormError Provenance::error(Source source, const RegionForm& form, const Region&
     const Link& link = links_[id];
     const Turn& turn = turns_[link.turn];
     const LocalRegion inside = local(link, region);
-    // What this one transform's own numbers may be off, over the points that it moves.
+    // `off` is how far the errors of this transform's own numbers may put the points that it moves.
     std::array<LinearForm, 3> off{};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
@@ -209,7 +210,7 @@ FormError Provenance::shape_error(const LeafShape& shape, std::uint32_t form, co
       from_center[k][l] = std::fabs(q[k][l]);
     }
   }
-  // The same form, moved in plain double, tells by which factor the exact one was scaled.
+  // The same form is moved in plain double. Compared with it, the exact one shows by which factor it was scaled.
   const FormError plainly_moved = substituted(rounded, q);
   const std::size_t term = largest(plainly_moved);
   const double factor = std::fabs(moved.coefficient[term].high / plainly_moved[term] * to_rounded);

@@ -14,11 +14,11 @@
 
 namespace csgcast::detail {
 
-/// Where surfaces come from: for each the leaves that own it and the chain of transforms that moved them, and so how
-/// far the surface may be from what was meant if every number is known to half an ulp.
+/// Where the forms of leaves come from: the solid that each leaf was made from, and the chain of transforms that moved
+/// it. From that follows how far a surface may be off what was meant, if every given number is known to half an ulp.
 class Provenance {
  public:
-  /// A chain of transforms, the innermost at the end; equal chains have one id. 0 is the empty chain.
+  /// A chain of transforms, the innermost at the end. Equal chains have one id. 0 is the empty chain.
   using ChainId = std::uint32_t;
   /// One form of one leaf.
   struct Source {
@@ -28,21 +28,22 @@ class Provenance {
 
   Provenance();
 
-  /// The chain `outer` with one more transform inside; `world_from_solid` is the exact product of the whole.
+  /// The chain `outer` with one more transform inside. `world_from_solid` is the exact product of the whole chain.
   ChainId chain(ChainId outer, const Transform& transform, const ExactAffine& world_from_solid);
-  /// Returns the leaf's index; the leaf's place is the solid's.
+  /// Adds a leaf made from a solid, moved by a chain, with its box in the world. Returns the leaf's index.
   std::uint32_t add_leaf(const Solid& solid, ChainId chain, const Box& box);
 
   std::size_t leaf_count() const { return leaves_.size(); }
+  /// The statement that made the source's leaf.
   const Place& place(Source source) const { return leaves_[source.leaf].solid.place(); }
   const Box& box(Source source) const { return leaves_[source.leaf].box; }
   ChainId chain_of(Source source) const { return leaves_[source.leaf].chain; }
-  /// The chain that two have in common from the outside: what it adds to one surface it adds to the other. `steps` is
-  /// counted up by the work it took.
+  /// The longest chain that two chains have in common from the outside. Its errors move both surfaces alike. `steps` is
+  /// increased by the work it took.
   ChainId common(ChainId a, ChainId b, std::uint64_t& steps) const;
 
-  /// How far the source's surface, whose form in the region is given, may be off what was meant, but for what the
-  /// transforms of the chain `known`, an outer part of its own, add.
+  /// How far the source's surface may be off what was meant. `form` is its form in the region. The chain `known`, an
+  /// outer part of the source's own chain, counts as exact.
   FormError error(Source source, const RegionForm& form, const Region& region, ChainId known) const;
 
  private:
@@ -58,15 +59,15 @@ class Provenance {
     Matrix forward = identity;
     Matrix inverse = identity;
   };
-  // A large scene has as many chains as leaves, most of which end with a translation. That changes no linear part, so
-  // these are kept aside, and what a link keeps is small.
+  // A large scene has as many chains as leaves, and most of them end with a translation. A translation changes no
+  // linear part, so linear parts are kept aside and links are small.
   struct Link {
     ChainId outer = 0;
     std::uint32_t depth = 0;
-    std::uint32_t turn = 0;    // of its own transform, in turns_
-    std::uint32_t linear = 0;  // of the whole chain, in linears_
-    Vector own_offset;
-    Vector offset;  // of the whole chain
+    std::uint32_t turn = 0;    // the linear part of its own transform, in turns_
+    std::uint32_t linear = 0;  // the linear part of the whole chain, in linears_
+    Vector own_offset;         // the translation of its own transform
+    Vector offset;             // the translation of the whole chain
   };
   struct LeafSource {
     Solid solid;
@@ -74,7 +75,7 @@ class Provenance {
     Box box;
   };
 
-  /// The solid's coordinates over a region: at + spread s.
+  // The solid's coordinates over a region, as a function of the region's s: at + spread s.
   struct LocalRegion {
     Vector at;
     Matrix spread;
@@ -88,7 +89,7 @@ class Provenance {
   std::vector<Turn> turns_;      // the first is the identity
   std::vector<Linear> linears_;  // likewise
   std::vector<Link> links_;      // the first is the empty chain
-  HashIndex by_transform_;       // all others by their outer chain and their own transform
+  HashIndex by_transform_;       // all other links, by their outer chain and their own transform
   std::vector<LeafSource> leaves_;
 };
 

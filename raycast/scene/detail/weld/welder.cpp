@@ -12,10 +12,10 @@
 namespace csgcast::detail {
 namespace {
 
-// The errors are those of doubles, with errors of their own: a pair at the very border counts.
+// Errors are computed in double, with errors of their own. A pair that is off by a little more still counts.
 constexpr double border = 1 + 0x1p-30;
-// A surface is compared with so many others of its cluster at most, by so many of its chains of transforms, and with so
-// many in all on the average.
+// A surface is compared with at most so many others of its cluster, by at most so many of its chains of transforms. On
+// average each may cost so many comparisons, beside those that any scene may take.
 constexpr std::size_t most_compared = 16;
 constexpr std::size_t most_chains = 16;
 constexpr std::uint64_t most_work_each = 40;
@@ -46,14 +46,14 @@ void count(std::span<const Replacement> replacements, WeldReport& report) {
 
 }  // namespace
 
-// The canonical forms decide, so the order of the file does not matter.
+// Simpler forms come first. Canonical forms alone decide, so the order of the file does not matter.
 bool Welder::precedes(const Surface& a, const Surface& b) {
   if (a.bits != b.bits) return a.bits < b.bits;
   return std::lexicographical_compare(a.form.coefficient.begin(), a.form.coefficient.end(), b.form.coefficient.begin(),
                                       b.form.coefficient.end());
 }
 
-// Without a size any center will do for what rounding explains.
+// If the scene has no size, rounding can be judged about any center.
 Welder::Welder(const Provenance& provenance, const Welding& welding, const Box& everything)
     : provenance_(provenance),
       welding_(welding),
@@ -62,7 +62,7 @@ Welder::Welder(const Provenance& provenance, const Welding& welding, const Box& 
       region_(Region::around(everything_)),
       tolerance_(has_size_ ? welding.tolerance * length(everything.size()) : 0) {}
 
-// The error of the source known worst, by which near surfaces are found.
+// The error of the source that is known worst. Surfaces that may coincide are looked for by that.
 FormError Welder::worst_known(const Candidate& candidate, const RegionForm& form) const {
   FormError worst{};
   double most = -1;
@@ -75,8 +75,8 @@ FormError Welder::worst_known(const Candidate& candidate, const RegionForm& form
   return worst;
 }
 
-// Of the sources with one chain of transforms the one known best, and of these the best: if any of them tells two
-// surfaces apart, they are.
+// For each chain of transforms the source that is known best, and of these the best ones. Two surfaces are different if
+// any of these tells them apart.
 std::vector<Provenance::Source> Welder::best_known(const Candidate& candidate, const RegionForm& form) const {
   std::map<Provenance::ChainId, std::pair<double, Provenance::Source>> best;
   for (const Provenance::Source source : candidate.sources) {
@@ -124,7 +124,8 @@ Grouping::Groups Welder::groups_by_rounding() {
   return near_.groups();
 }
 
-// Leaves with the surfaces that are left; `one_source` gets a source of each leaf, for its place.
+// The leaves with those surfaces of theirs that are left. `one_source` gets one source of each leaf, which tells the
+// leaf's statement.
 std::vector<LeafFaces> Welder::faces(std::span<const Replacement> replacements,
                                      std::vector<Provenance::Source>& one_source) const {
   constexpr std::uint32_t none = 0xffffffffu;
@@ -161,7 +162,7 @@ Grouping::Groups Welder::groups_by_hand(std::span<const Replacement> replacement
   return grouping.groups([replacements](std::uint32_t i) { return replacements[i].surface == i; });
 }
 
-// In errors, or in tolerances: at most 1 for one surface.
+// The distance of two surfaces, in errors or in tolerances. At most 1 means that they can be one surface.
 double Welder::distance(const Member& a, const Member& b, const Region& region) {
   ++work_;
   const Surface& f = *a.surface;
@@ -192,7 +193,7 @@ std::vector<Replacement> Welder::run(std::span<const Candidate> candidates, Weld
     work_ = 0;
     weld_groups(groups_by_hand(replacements, report), replacements, report);
   }
-  // What took others in may have been taken in itself, by hand.
+  // A surface that took others in may then have been taken in itself, by hand.
   for (Replacement& replacement : replacements) {
     const Replacement& next = replacements[replacement.surface];
     replacement = {next.surface, replacement.flipped != next.flipped};
@@ -236,7 +237,7 @@ void Welder::weld_group(std::span<const std::uint32_t> numbers, std::vector<Repl
   }
 }
 
-// Takes members in, nearest first, that could also coincide with each other.
+// The leader takes members in, nearest first. Each must be able to coincide with those taken in before it, too.
 void Welder::gather(const Member& leader, const Region& region, std::vector<Member> members,
                     std::vector<Replacement>& replacements, WeldReport& report) {
   std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) {
@@ -259,7 +260,7 @@ void Welder::list_near_misses(std::span<const Replacement> replacements, WeldRep
   const std::vector<RegionForm> forms = region_forms();
   std::vector<Provenance::Source> one_source;
   const std::vector<LeafFaces> leaves = faces(replacements, one_source);
-  // The faces of one leaf are no miss: it was made like that.
+  // Two faces of one leaf are no near miss: the leaf was made like that.
   std::map<std::pair<std::uint32_t, std::uint32_t>, NearMiss> nearest;
   const auto note = [&](const NearFaces::Pair& pair) {
     if (pair.leaf_of_a == pair.leaf_of_b || pair.gap <= tolerance_) return true;
@@ -276,12 +277,13 @@ void Welder::list_near_misses(std::span<const Replacement> replacements, WeldRep
   for (const auto& [surfaces, miss] : nearest) found.push_back(miss);
   std::stable_sort(found.begin(), found.end(), [](const NearMiss& a, const NearMiss& b) { return a.gap < b.gap; });
   report.near_miss_count = found.size();
-  // All of them, unless that would be nearly all there is up to the limit: then those up to the last wide jump.
+  // The suggested tolerance would weld the near misses up to the last wide jump of their gaps. The limit of near misses
+  // counts as the gap after the widest one.
   double next = greatest_near_miss * report.size;
   for (std::size_t i = found.size(); i-- > 0 && report.suggested_tolerance == 0; next = found[i].gap) {
     if (next > wide_jump * found[i].gap) report.suggested_tolerance = 1.25 * found[i].gap / report.size;
   }
-  // One line for two statements, however many faces of theirs nearly coincide.
+  // Two statements are listed once, however many of their faces nearly coincide.
   for (const NearMiss& miss : found) {
     const auto same = [&miss](const NearMiss& other) {
       return miss.first == other.first && miss.second == other.second;

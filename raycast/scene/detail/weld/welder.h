@@ -21,9 +21,9 @@ struct Replacement {
   bool flipped = false;  ///< its canonical form has the other sign
 };
 
-/// Welds the surfaces of one scene. What it does depends on their forms and where they come from, not on their order:
-/// the simplest form of those that nearly coincide takes the others in, and each moves at most as far as their own
-/// numbers are uncertain.
+/// Welds the surfaces of one scene. Of surfaces that nearly coincide the one with the simplest form takes the others
+/// in, and each moves at most as far as the numbers behind it are uncertain. The result depends on the forms and where
+/// they come from, not on their order.
 class Welder {
  public:
   /// A surface and the leaves that own it.
@@ -32,10 +32,10 @@ class Welder {
     std::span<const Provenance::Source> sources;
   };
 
-  /// `everything` holds all bounded leaves; null if the scene has no size.
+  /// `everything` holds all bounded leaves. A box that is not finite means that the scene has no size.
   Welder(const Provenance& provenance, const Welding& welding, const Box& everything);
 
-  /// One replacement a surface; adds to the report.
+  /// Returns one replacement for each surface, and adds to the report.
   std::vector<Replacement> run(std::span<const Candidate> candidates, WeldReport& report);
 
  private:
@@ -43,11 +43,11 @@ class Welder {
   struct Surface {
     std::uint32_t number = 0;
     QuadricForm form;
-    std::vector<Provenance::Source> sources;  // one for each chain of transforms, those known best
-    Box box;                                  // of all leaves that own it, as far as it is finite
-    std::size_t bits = 0;
+    std::vector<Provenance::Source> sources;  // of each chain of transforms the one known best, and of these the best
+    Box box;                                  // holds the bounded leaves that own it; if that is not finite, everything
+    std::size_t bits = 0;                     // of all coefficients: fewer make a simpler form
   };
-  // It at a place, while it is compared.
+  // A surface of a group in the coordinates of a region, while it is compared.
   struct Member {
     const Surface* surface;
     RegionForm form;
@@ -75,8 +75,8 @@ class Welder {
   bool has_size_;
   Box everything_;
   Region region_;
-  bool by_hand_ = false;  // what distance() goes by now
-  double tolerance_ = 0;  // of by_hand, in the scene's unit of length
+  bool by_hand_ = false;  // distance() measures in tolerances now, not in errors
+  double tolerance_ = 0;  // the tolerance of welding by hand, in the scene's unit of length
   std::span<const Candidate> candidates_;
   NearPairs near_;
   std::uint64_t work_ = 0;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/scene/detail/leaf_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "csg/solid/bounds.h"
+
+namespace csgcast::detail {
+namespace {
+
+// With coordinates and sizes in this range nothing in the engine over- or underflows.
+constexpr double greatest = 0x1p400;
+constexpr double least = 0x1p-400;
+
+// `is_bounded`: the solid is bounded, so an infinite side of the box means that it overflowed.
+void check_range(const Box& box, bool is_bounded, const Place& place) {
+  if (box.is_null()) return;
+  double farthest = is_bounded && !box.is_finite() ? std::numeric_limits<double>::infinity() : 0;
+  double longest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double side : {box.lower[axis], box.upper[axis]}) {
+      if (std::isfinite(side)) farthest = std::fmax(farthest, std::fabs(side));
+    }
+    longest = std::fmax(longest, box.upper[axis] - box.lower[axis]);
+  }
+  if (farthest <= greatest && longest >= least) return;
+  throw Error(ErrorCode::limit, place,
+              farthest > greatest ? "this solid is too large or too far away" : "this solid is too small",
+              "coordinates up to 2^400 and sizes from 2^-400 work", "choose another unit of length");
+}
+
+}  // namespace
+
+std::optional<Box> LeafBuilder::add(const Solid& solid, const Placement& placement, Leaf leaf) {
+  static const ExactAffine identity;
+  const ExactAffine* moved = placement.world_from_solid.get();
+  const Box box = world_bounds(solid.shape(), moved ? *moved : identity);
+  check_range(box, solid.shape().bounds.is_finite(), solid.place());
+  leaf.first = static_cast<std::uint32_t>(tables_.half_spaces.size());
+  const bool has_inside = add_half_spaces(solid, placement, leaf, box);
+  if (!has_inside || box.is_null()) {
+    tables_.half_spaces.resize(leaf.first);
+    return std::nullopt;
+  }
+  tables_.leaves.push_back(std::move(leaf));
+  if (box.is_finite()) tables_.bounded_leaves = hull(tables_.bounded_leaves, box);
+  return box;
+}
+
+// False if two of the half-spaces are the two sides of one surface: then the leaf has no inside.
+bool LeafBuilder::add_half_spaces(const Solid& solid, const Placement& placement, Leaf& leaf, const Box& box) {
+  const LeafShape& shape = solid.shape();
+  std::optional<FormMover> mover;
+  if (placement.world_from_solid) mover.emplace(*placement.world_from_solid);
+  const std::uint32_t source = origins_ ? origins_->provenance.add_leaf(solid, placement.chain, box) : 0;
+  const auto begin = static_cast<std::ptrdiff_t>(leaf.first);
+  for (std::uint32_t i = 0; i < shape.forms.size(); ++i) {
+    const QuadricForm form = shape.forms[i];
+    const HalfSpace half_space = surfaces_.half_space(mover ? mover->moved(form) : form, box);
+    if (origins_) origins_->ownerships.push_back({half_space.surface, {source, i}});
+    const auto same = std::find_if(tables_.half_spaces.begin() + begin, tables_.half_spaces.end(),
+                                   [&](const HalfSpace& other) { return other.surface == half_space.surface; });
+    if (same == tables_.half_spaces.end()) {
+      tables_.half_spaces.push_back(half_space);
+    } else if (same->sense != half_space.sense) {
+      return false;
+    }
+  }
+  leaf.count = static_cast<std::uint32_t>(tables_.half_spaces.size()) - leaf.first;
+  return true;
+}
+
+}  // namespace csgcast::detail

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "csg/exact/affine.h"
+#include "csg/solid/solid.h"
+#include "raycast/scene/detail/surface_table.h"
+#include "raycast/scene/detail/surface_welding.h"
+#include "raycast/scene/detail/weld/provenance.h"
+#include "raycast/scene/scene.h"
+
+namespace csgcast::detail {
+
+/// How a solid stands in the world.
+struct Placement {
+  std::shared_ptr<const ExactAffine> world_from_solid;  ///< null: the identity
+  Provenance::ChainId chain = 0;  ///< the same as transforms one inside the other; only kept for welding
+};
+
+/// Appends leaves to the tables of a scene. Their half-spaces are taken to the world exactly, and get their surfaces.
+class LeafBuilder {
+ public:
+  /// All must outlive it. `origins` takes down where each surface comes from; null if that is not wanted.
+  LeafBuilder(SceneTables& tables, SurfaceTable& surfaces, SurfaceOrigins* origins)
+      : tables_(tables), surfaces_(surfaces), origins_(origins) {}
+
+  /// Appends `leaf`, completed with the half-spaces of a solid that is a leaf. Returns the leaf's box in the world,
+  /// without a margin. A leaf without an inside is left out, and there is no box.
+  ///
+  /// Throws Error(limit) if the solid is too large, too small or too far away.
+  std::optional<Box> add(const Solid& solid, const Placement& placement, Leaf leaf);
+
+ private:
+  bool add_half_spaces(const Solid& solid, const Placement& placement, Leaf& leaf, const Box& box);
+
+  SceneTables& tables_;
+  SurfaceTable& surfaces_;
+  SurfaceOrigins* origins_;
+};
+
+}  // namespace csgcast::detail

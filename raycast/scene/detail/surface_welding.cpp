@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "raycast/scene/detail/surface_welding.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <span>
+
+#include "raycast/scene/detail/weld/welder.h"
+
+namespace csgcast::detail {
+namespace {
+
+// The sources of each surface, side by side.
+struct SourcesBySurface {
+  std::vector<Provenance::Source> sources;
+  std::vector<std::size_t> end;  // by surface: where its sources end
+
+  SourcesBySurface(std::vector<SurfaceOrigins::Ownership> ownerships, std::size_t surface_count)
+      : sources(ownerships.size()), end(surface_count) {
+    for (const SurfaceOrigins::Ownership& owned : ownerships) ++end[owned.surface.index()];
+    std::exclusive_scan(end.begin(), end.end(), end.begin(), std::size_t{0});
+    for (const SurfaceOrigins::Ownership& owned : ownerships) sources[end[owned.surface.index()]++] = owned.source;
+  }
+
+  std::span<const Provenance::Source> of(std::size_t surface) const {
+    const std::size_t begin = surface == 0 ? 0 : end[surface - 1];
+    return std::span(sources).subspan(begin, end[surface] - begin);
+  }
+};
+
+// Gives the leaves' half-spaces their new surfaces. `positive_side` tells by old surface what its positive side is now.
+void replace_surfaces(std::span<const HalfSpace> positive_side, SceneTables& tables) {
+  std::vector<bool> is_empty(tables.leaves.size());
+  for (std::size_t i = 0; i < tables.leaves.size(); ++i) {
+    Leaf& leaf = tables.leaves[i];
+    const auto begin = tables.half_spaces.begin() + leaf.first;
+    auto end = begin;
+    for (std::uint32_t k = 0; k < leaf.count; ++k) {
+      HalfSpace half_space = *(begin + k);
+      const auto [surface, side] = positive_side[half_space.surface.index()];
+      half_space = {surface, side == Sense::positive ? half_space.sense : opposite(half_space.sense)};
+      const auto same = std::find_if(begin, end, [&](const HalfSpace& other) { return other.surface == surface; });
+      if (same == end) {
+        *end++ = half_space;
+      } else if (same->sense != half_space.sense) {
+        is_empty[i] = true;
+      }
+    }
+    leaf.count = static_cast<std::uint32_t>(end - begin);
+  }
+  for (Node& node : tables.nodes) {
+    if (node.op == Node::Op::leaf && is_empty[node.first]) node = {};
+  }
+}
+
+}  // namespace
+
+WeldReport weld_surfaces(const Welding& welding, const Box& everything, SurfaceOrigins origins, SurfaceTable& surfaces,
+                         SceneTables& tables) {
+  WeldReport report;
+  if (surfaces.size() == 0) return report;
+  const SourcesBySurface sources(std::move(origins.ownerships), surfaces.size());
+  std::vector<Welder::Candidate> candidates;
+  candidates.reserve(surfaces.size());
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i)
+    candidates.push_back({&surfaces.form(SurfaceId(i)), sources.of(i)});
+  Welder welder(origins.provenance, welding, everything);
+  const std::vector<Replacement> replacements = welder.run(candidates, report);
+  if (report.surfaces > 0) replace_surfaces(surfaces.merge(replacements), tables);
+  return report;
+}
+
+}  // namespace csgcast::detail
