@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "csg/base/precondition.h"
+
 namespace csgcast {
 
 /// Three doubles with a meaning: points, vectors and normals do not convert into each other.
@@ -55,6 +57,7 @@ double length(Triple<Tag> a) {
 /// The magnitude of the longest coordinate. Precondition: none is NaN.
 template <class Tag>
 double longest(Triple<Tag> a) {
+  CSGCAST_PRECONDITION(!std::isnan(a.x) && !std::isnan(a.y) && !std::isnan(a.z));
   return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "csg/base/precondition.h"
 #include "csg/base/truth_table.h"
 #include "raycast/cells/space.h"
 
@@ -28,7 +29,11 @@ struct Piece {
 
   bool is_crowded() const { return crowd != nullptr; }
   bool is_constant() const { return crowd == nullptr && count == 0; }
-  bool value() const { return table.at(0); }  ///< precondition: constant
+  /// Precondition: it is constant.
+  bool value() const {
+    CSGCAST_PRECONDITION(is_constant());
+    return table.at(0);
+  }
 };
 
 /// Cuts space into pieces; the working memory of one thread. The space must outlive it.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/precondition.h"
 #include "raycast/cells/build/cell_builder.h"
 #include "raycast/scene/even_looks.h"
 
@@ -68,6 +69,7 @@ CellBox CellGround::box_of(const Box& world) const {
 }
 
 CellBox CellGround::tight_box_of(const Box& world) const {
+  CSGCAST_PRECONDITION(world.is_finite());
   const CellBox straight = in_frame(world, scene.frame());
   return axes ? axes->holding(straight) : straight;
 }

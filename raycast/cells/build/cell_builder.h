@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "csg/base/precondition.h"
 #include "raycast/cells/build/cell_axes.h"
 #include "raycast/cells/build/cell_data.h"
 #include "raycast/cells/build/cut_look.h"
@@ -64,6 +65,7 @@ struct CellGround {
   static bool is_near(const CellBox& b) { return longest(b.lower) <= near_side && longest(b.upper) <= near_side; }
   /// A surface's form about the middle of a box, with a slack that covers lines' places. Precondition: it is finite.
   LocalForm form_in(std::size_t surface, const CellBox& b) const {
+    CSGCAST_PRECONDITION(is_finite(b.lower) && is_finite(b.upper));
     const CellForm& form = forms[surface];
     return local_form(form, b, is_near(b) ? slacks[surface] : slack_of_lines(form, b));
   }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "csg/base/precondition.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -60,6 +62,7 @@ CellForm at_height(const CellForm& form, long double z, double off, const CellBo
 }  // namespace
 
 SectionGround section_ground(const CellGround& of, NodeId node, Vector normal, double distance) {
+  CSGCAST_PRECONDITION(of.is_bounded && is_finite(normal) && longest(normal) > 0);
   const Scene& scene = of.scene;
   const Frame& frame = scene.frame();
   const CellAxes axes = axes_about(normal);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/cells/formula/implications.h"
 
+#include "csg/base/precondition.h"
+
 namespace csgcast::detail {
 
 void Implications::begin(std::size_t count, Vector half) {
@@ -36,6 +38,7 @@ void Implications::add(std::size_t i, const LocalForm& form) {
 }
 
 TruthTable Implications::impossible_states() const {
+  CSGCAST_PRECONDITION(count_ <= TruthTable::most_values);
   TruthTable impossible;
   const auto states = [](std::size_t literal, std::size_t w) {
     const std::uint64_t positive = TruthTable::states_of_word(literal / 2, w);

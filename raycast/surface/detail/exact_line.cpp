@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "csg/base/precondition.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -118,12 +120,14 @@ ExactRoot::ExactRoot(const ExactPolynomial& f, unsigned root) {
   if (f.a.is_zero()) {
     p = -f.c;
     q = f.b;
+    CSGCAST_PRECONDITION(!q.is_zero());
     return;
   }
   p = -f.b;
   q = Dyadic(2.0) * f.a;
   d = f.b * f.b - Dyadic(4.0) * f.a * f.c;
   s = (root == 0) == (f.a.sign() > 0) ? -1 : 1;
+  CSGCAST_PRECONDITION(d.sign() >= 0);
 }
 
 // a - b = ((pa qb - pb qa) + sa qb sqrt(da) - sb qa sqrt(db)) / (qa qb)

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "csg/base/precondition.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -104,6 +106,7 @@ Bounded square_root(const Bounded& discriminant) {
 
 // a / b, off by a relative 16 u² and by what its operands are off. Precondition: b is certain.
 Bounded quotient(const Bounded& a, const Bounded& b) {
+  CSGCAST_PRECONDITION(b.is_certain());
   const double first = a.value.high / b.value.high;
   const Twofold left = a.value + -(b.value * first);
   const Twofold value = fast_two_sum(first, left.high / b.value.high);
