@@ -13,7 +13,7 @@ namespace csgcast {
 class Cells {
  public:
   /// Of the whole solid, or of one of its nodes. The scene must outlive the cells. Takes some 20 us a leaf, shared by
-  /// the threads that oneTBB has where it is called (tbb::task_arena); the cells do not depend on their number.
+  /// the threads of the present arena (raycast/packets/threads.h).
   explicit Cells(const Scene& scene) : Cells(scene, scene.root()) {}
   Cells(const Scene& scene, NodeId node);
   ~Cells();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/precondition.h"
 #include "raycast/line/box_line.h"
 #include "raycast/ray/layer_sweep.h"
 #include "raycast/scene/even_looks.h"
@@ -30,6 +31,7 @@ LayerCells::LayerCells(const Scene& scene)
     : scene_(&scene),
       even_looks_(csgcast::even_looks(scene)),
       all_look_even_(std::find(even_looks_.begin(), even_looks_.end(), 0) == even_looks_.end()) {
+  CSGCAST_PRECONDITION(suits(scene));
   for (const Layer& layer : scene.layers()) layers_.emplace_back(scene, layer.node);
 }
 
@@ -37,20 +39,19 @@ LayerCells::LayerCells(const Scene& scene)
 struct LayerCaster::Query {
   Query(const Ray& of, const std::optional<Departure>& from, double until, const Frame& frame)
       : ray(of), departure(from), end(until), unit(std::ldexp(1, frame.exponent) / longest(of.direction())) {
-    arrays.count = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       origin[axis] = of.origin()[axis];
       direction[axis] = of.direction()[axis];
-      arrays.origin[axis] = &origin[axis];
-      arrays.direction[axis] = &direction[axis];
+      arrays.origin[axis] = {&origin[axis], 1};
+      arrays.direction[axis] = {&direction[axis], 1};
     }
     if (from) {
       surface = from->surface.index();
       is_positive = from->side == Sense::positive ? 1 : 0;
-      arrays.departure = &surface;
-      arrays.departs_positive = &is_positive;
+      arrays.departure = {&surface, 1};
+      arrays.departs_positive = {&is_positive, 1};
     }
-    if (until < HUGE_VAL) arrays.end = &end;
+    if (until < HUGE_VAL) arrays.end = {&end, 1};
   }
   Query(const Query&) = delete;
 
@@ -89,16 +90,16 @@ void LayerCaster::meet(std::size_t layer, const Query& query) {
   std::uint32_t surface, look;
   double point[3], normal[3];
   FaceArrays faces;
-  faces.state = &state;
-  faces.is_inside = &is_inside;
-  faces.t = &t;
-  faces.surface = &surface;
-  faces.root = &root;
-  faces.look = &look;
-  faces.comes_positive = &comes_positive;
+  faces.state = {&state, 1};
+  faces.is_inside = {&is_inside, 1};
+  faces.t = {&t, 1};
+  faces.surface = {&surface, 1};
+  faces.root = {&root, 1};
+  faces.look = {&look, 1};
+  faces.comes_positive = {&comes_positive, 1};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    faces.point[axis] = &point[axis];
-    faces.normal[axis] = &normal[axis];
+    faces.point[axis] = {&point[axis], 1};
+    faces.normal[axis] = {&normal[axis], 1};
   }
   casters_[layer].first_faces(query.arrays, faces);
   meeting.hits = state != FaceArrays::none;
