@@ -167,9 +167,9 @@ TEST_CASE("Whoever asks may have enough before the end") {
   MeasureOptions options;
   options.relative_error = 1e-9;
   double last = 0;
-  options.goes_on = [&](double error) {
+  options.is_enough = [&](double error) {
     last = error;
-    return error > 1e-3;
+    return error <= 1e-3;
   };
   const Measures m = measured(sphere(1), options);
   CHECK_FALSE(m.is_as_asked);
