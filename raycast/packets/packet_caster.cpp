@@ -9,6 +9,7 @@
 #include "csg/base/error.h"
 #include "csg/base/precondition.h"
 #include "raycast/cells/cells_data.h"
+#include "raycast/packets/detail/caster_pointers.h"
 #include "raycast/packets/detail/lanes.h"
 #include "raycast/packets/detail/ray_pointers.h"
 #include "raycast/ray/interval_list.h"
@@ -106,8 +107,8 @@ struct PacketCaster::State {
         caster(c.scene()) {}
 
   // Rays as arrays: those of `rays` from `begin` on, as many as are at once.
-  RayPointers load(std::span<const Ray> rays, std::size_t begin) {
-    RayPointers arrays;
+  detail::RayPointers load(std::span<const Ray> rays, std::size_t begin) {
+    detail::RayPointers arrays;
     arrays.count = std::min(rays_at_once, rays.size() - begin);
     for (std::size_t i = 0; i < arrays.count; ++i) {
       const Point o = rays[begin + i].origin();
@@ -125,7 +126,8 @@ struct PacketCaster::State {
   }
 
   // What a ray that lanes left meets first, by the caster, which has begun it then.
-  std::optional<Hit> tell_left(const RayPointers& rays, std::size_t i, const HitPointers& hits, Rounding rounding) {
+  std::optional<Hit> tell_left(const detail::RayPointers& rays, std::size_t i, const detail::HitPointers& hits,
+                               Rounding rounding) {
     begin(caster, rays, i);
     const Span span = span_of(rays, i);
     const std::optional<Hit> hit = caster.first_hit(cells.node(), span, rounding);
@@ -144,7 +146,7 @@ struct PacketCaster::State {
 
   // Lists of rays that lanes left have none yet: they are put in, from the last one on. `base`: how many rays the batch
   // had before.
-  void insert_left(const RayPointers& rays, std::size_t base, std::size_t left_before, IntervalBatch& batch,
+  void insert_left(const detail::RayPointers& rays, std::size_t base, std::size_t left_before, IntervalBatch& batch,
                    Rounding rounding, Ends ends) {
     for (std::size_t k = left.size(); k-- > left_before;) {
       const std::size_t i = left[k];
@@ -158,7 +160,7 @@ struct PacketCaster::State {
   }
 
   // The faces that lanes could not tell, or that are of rays they left.
-  void tell_faces(const RayPointers& rays, std::size_t base, IntervalBatch& batch, Ends ends) {
+  void tell_faces(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch, Ends ends) {
     const auto is_known = [&](const EndFace& face) {
       return face.look.valid() && (face.leaf.valid() || ends == Ends::looks);
     };
@@ -178,7 +180,7 @@ struct PacketCaster::State {
   }
 
   // t of the ends of rays whose lanes could not round it.
-  void round(const RayPointers& rays, std::size_t base, IntervalBatch& batch) {
+  void round(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch) {
     for (const std::uint32_t i : unrounded) {
       begin(caster, rays, i);
       for (std::size_t k = batch.offsets[base + i]; k < batch.offsets[base + i + 1]; ++k) {
@@ -190,7 +192,7 @@ struct PacketCaster::State {
   }
 
   // No list for any ray yet.
-  void leave_all(const RayPointers& rays, std::size_t base, IntervalBatch& batch) {
+  void leave_all(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch) {
     for (std::size_t i = 0; i < rays.count; ++i) {
       batch.offsets[base + i + 1] = batch.intervals.size();
       left.push_back(static_cast<std::uint32_t>(i));
@@ -198,7 +200,7 @@ struct PacketCaster::State {
   }
 
   // Adds the lists of some rays to the batch.
-  void add(const RayPointers& rays, std::size_t base, IntervalBatch& batch, Rounding rounding, Ends ends) {
+  void add(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch, Rounding rounding, Ends ends) {
     batch.offsets.resize(base + rays.count + 1);
     const std::size_t left_before = left.size();
     unrounded.clear();
@@ -220,7 +222,7 @@ struct PacketCaster::State {
     for (std::size_t k = left_before; k < left.size(); ++k) left[k] += static_cast<std::uint32_t>(base);
   }
 
-  void fill(const RayPointers& rays, IntervalBatch& batch, Rounding rounding, Ends ends) {
+  void fill(const detail::RayPointers& rays, IntervalBatch& batch, Rounding rounding, Ends ends) {
     clear(batch);
     // In pieces: what is put in between (insert_left) moves but little.
     for (std::size_t begin = 0; begin < rays.count; begin += rays_at_once)
@@ -234,9 +236,9 @@ struct PacketCaster::State {
     left.clear();
   }
 
-  void first_hits(const RayPointers& rays, const HitPointers& hits, Rounding rounding) {
+  void first_hits(const detail::RayPointers& rays, const detail::HitPointers& hits, Rounding rounding) {
     detail::LaneHits lanes;
-    static_cast<HitPointers&>(lanes.faces) = hits;
+    static_cast<detail::HitPointers&>(lanes.faces) = hits;
     lanes.rounds = rounding == Rounding::nearest;
     lanes.unrounded = &unrounded;
     lanes.left = &left;
@@ -250,7 +252,7 @@ struct PacketCaster::State {
     for (const std::uint32_t i : left) tell_left(rays, i, hits, rounding);
   }
 
-  void any_hits(const RayPointers& rays, std::uint8_t* hits) {
+  void any_hits(const detail::RayPointers& rays, std::uint8_t* hits) {
     detail::LaneHits lanes;
     lanes.faces.state = hits;
     lanes.left = &left;
@@ -262,7 +264,7 @@ struct PacketCaster::State {
     }
   }
 
-  void first_faces(const RayPointers& rays, const FacePointers& faces) {
+  void first_faces(const detail::RayPointers& rays, const detail::FacePointers& faces) {
     detail::LaneHits lanes;
     lanes.faces = faces;
     lanes.unowned = &unowned;
@@ -337,13 +339,19 @@ void PacketCaster::first_faces(const RayArrays& rays, const FaceArrays& faces) {
   state_->first_faces(detail::pointers_of(rays), detail::pointers_of(faces, rays.count()));
 }
 
+void PacketCaster::first_faces(const RayPointers& rays, const FacePointers& faces) { state_->first_faces(rays, faces); }
+
+void PacketCaster::intervals(const RayPointers& rays, IntervalBatch& batch, Rounding rounding, Ends ends) {
+  state_->fill(rays, batch, rounding, ends);
+}
+
 void PacketCaster::first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding) {
   CSGCAST_PRECONDITION(hits.size() == rays.size());
   State& state = *state_;
-  const HitPointers arrays{state.found.data(), state.t.data(), state.surface.data(), state.root.data()};
+  const detail::HitPointers arrays{state.found.data(), state.t.data(), state.surface.data(), state.root.data()};
   std::vector<std::uint32_t> left;
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
-    const RayPointers some = state.load(rays, begin);
+    const detail::RayPointers some = state.load(rays, begin);
     state.first_hits(some, arrays, rounding);
     for (const std::uint32_t i : state.left) left.push_back(static_cast<std::uint32_t>(begin) + i);
     for (std::size_t i = 0; i < some.count; ++i) {
@@ -378,7 +386,7 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
   std::array<double, rays_at_once> end;
   end.fill(span.to);
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
-    RayPointers some = state.load(rays, begin);
+    detail::RayPointers some = state.load(rays, begin);
     some.whole_line = span.from != 0;
     some.end = span.to == HUGE_VAL ? nullptr : end.data();
     if (fits_lanes) {

@@ -71,6 +71,13 @@ class PacketCaster {
   void intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span = {}, Rounding rounding = Rounding::nearest,
                  Ends ends = Ends::bare);
 
+  /// The same as pointers (detail/caster_pointers.h): for callers that cast rays one by one, where the checks and
+  /// copies of arrays are too slow. Preconditions: those of the arrays.
+  struct RayPointers;
+  struct FacePointers;
+  void first_faces(const RayPointers& rays, const FacePointers& faces);
+  void intervals(const RayPointers& rays, IntervalBatch& batch, Rounding rounding, Ends ends);
+
   /// The rays of the last call that lanes could not decide, and that went to the caster: their places in the arrays.
   std::span<const std::uint32_t> left_to_caster() const;
 
