@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <tbb/parallel_for.h>
+
 #include <array>
 #include <optional>
 #include <vector>

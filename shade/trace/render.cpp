@@ -76,7 +76,7 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 // The threads of a picture's tiles, each with a renderer of its own.
 class Workers {
  public:
-  explicit Workers(const detail::Job& job, int width, int height) : job_(job), tiles_(tiles_of(width, height)) {}
+  Workers(const detail::Job& job, int width, int height) : job_(job), tiles_(tiles_of(width, height)) {}
 
   std::size_t tiles() const { return tiles_.size(); }
 

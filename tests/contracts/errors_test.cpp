@@ -83,7 +83,7 @@ std::vector<BadCall> bad_calls() {
   using enum ErrorCode;
   const double none = NAN;
   return {
-      {"a text that breaks off", syntax, [] { read("cube(1"); }, {"bad.csg", 1, 7}},
+      {"a text that breaks off", syntax, [] { read("cube(1"); }, {"bad.csg", 1, 5}},
       {"an unknown statement", unknown_name, [] { read("\n  cuba(1);"); }, {"bad.csg", 2, 3}},
       {"a size that is text", wrong_type, [] { read("cube(\"a\");"); }, {"bad.csg", 1, 6}},
       {"a file that is not there", input_output, [] { text::read_file("no/such.csg"); }, {"no/such.csg", 0, 0}},
