@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/line/exact_root.h"
 
+#include "csg/base/precondition.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -33,6 +35,7 @@ int sign_with_roots(const Dyadic& x, const Dyadic& y, const Dyadic& d, const Dya
 }  // namespace
 
 ExactRoot ExactRoot::quotient(const Dyadic& dividend, const Dyadic& divisor) {
+  CSGCAST_PRECONDITION(!divisor.is_zero());
   ExactRoot root(dividend);
   root.q = divisor;
   return root;
@@ -42,6 +45,7 @@ ExactRoot ExactRoot::of(const Dyadic& a, const Dyadic& b, const Dyadic& c, unsig
   if (a.is_zero()) return quotient(-c, b);
   ExactRoot result = quotient(-b, Dyadic(2.0) * a);
   result.d = b * b - Dyadic(4.0) * a * c;
+  CSGCAST_PRECONDITION(result.d.sign() >= 0);
   result.s = (root == 0) == (a.sign() > 0) ? -1 : 1;
   return result;
 }

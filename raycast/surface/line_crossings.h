@@ -55,8 +55,8 @@ struct Line {
 struct LineCrossings {
   /// tau of the crossings, in the line's frame (line_frame.h).
   union {
-    std::array<double, 2> few{};  ///< if there are no more than two
-    const double* many;           ///< of more: in the line's memory
+    std::array<double, 2> few{};   ///< if there are no more than two
+    std::span<const double> many;  ///< of more: in the line's memory
   };
   double error = 0;  ///< bound on |tau - exact tau|, of all
   std::uint8_t count = 0;
