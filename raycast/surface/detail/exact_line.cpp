@@ -127,7 +127,6 @@ ExactRoot::ExactRoot(const ExactPolynomial& f, unsigned root) {
   q = Dyadic(2.0) * f.a;
   d = f.b * f.b - Dyadic(4.0) * f.a * f.c;
   s = (root == 0) == (f.a.sign() > 0) ? -1 : 1;
-  CSGCAST_PRECONDITION(d.sign() >= 0);
 }
 
 // a - b = ((pa qb - pb qa) + sa qb sqrt(da) - sb qa sqrt(db)) / (qa qb)

@@ -31,7 +31,7 @@ struct ExactRoot {
   Dyadic d;
   int s = 0;
 
-  /// Root 0 is the lower one. Precondition: the polynomial has that root.
+  /// Root 0 is the lower one. d < 0 if the polynomial has no roots. Precondition: it is not constant.
   ExactRoot(const ExactPolynomial& f, unsigned root);
   explicit ExactRoot(const Dyadic& value) : p(value), q(1.0) {}
 };
@@ -44,7 +44,7 @@ class ExactMemory {
   void forget() { known_.clear(); }
 
   const ExactPolynomial& polynomial(const Line& line, SurfaceId id, const Surface& surface);
-  /// Precondition: the polynomial has that root.
+  /// As of ExactRoot. Precondition: the polynomial is not constant.
   const ExactRoot& root(const Line& line, SurfaceId id, const Surface& surface, unsigned root);
 
  private:
