@@ -24,8 +24,8 @@ struct Truncated {
 
 // magnitude * 2^exponent. Precondition: that is a double.
 double scaled_double(std::uint64_t magnitude, std::int64_t exponent) {
-  CSGCAST_PRECONDITION(std::bit_width(magnitude) <= 53 && exponent >= -1074 &&
-                       std::bit_width(magnitude) + exponent <= 1024);
+  [[maybe_unused]] const auto bits = static_cast<std::int64_t>(std::bit_width(magnitude));
+  CSGCAST_PRECONDITION(bits <= 53 && exponent >= -1074 && bits + exponent <= 1024);
   constexpr std::int64_t bias = 1023;
   if (exponent <= -bias || exponent > bias)
     return std::ldexp(static_cast<double>(magnitude), static_cast<int>(exponent));

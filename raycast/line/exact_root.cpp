@@ -45,7 +45,6 @@ ExactRoot ExactRoot::of(const Dyadic& a, const Dyadic& b, const Dyadic& c, unsig
   if (a.is_zero()) return quotient(-c, b);
   ExactRoot result = quotient(-b, Dyadic(2.0) * a);
   result.d = b * b - Dyadic(4.0) * a * c;
-  CSGCAST_PRECONDITION(result.d.sign() >= 0);
   result.s = (root == 0) == (a.sign() > 0) ? -1 : 1;
   return result;
 }
