@@ -8,7 +8,7 @@
 
 namespace csgcast {
 
-/// A scene's space, cut into cells with what the tree comes to in each. They make rays fast (docs/architecture.md).
+/// A scene's space, cut into cells with what the tree comes to in each. They make rays fast (docs/cells.md).
 /// Read-only once they are made; any number of threads may use them.
 class Cells {
  public:

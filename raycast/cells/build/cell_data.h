@@ -137,7 +137,7 @@ struct alignas(32) Brick {
 
 /// A solid that is a union of conjunctions less others, in a hierarchy of boxes. Rays that want to know all that they
 /// meet ask it: a packet's lines gather the few conjunctions whose boxes they meet, and take them for the content of
-/// one cell (docs/architecture.md).
+/// one cell (docs/cells.md).
 struct BoxTree {
   std::vector<BoxNode> nodes;  ///< the root first; none if the solid is not such a union, or cells are better
   std::vector<Conjunction> conjunctions;
