@@ -18,8 +18,8 @@ struct ExactRoot {
   explicit ExactRoot(const Dyadic& value) : p(value), q(1.0) {}
   /// Precondition: the divisor is not zero.
   static ExactRoot quotient(const Dyadic& dividend, const Dyadic& divisor);
-  /// The lower (root 0) or the upper root of a t² + b t + c; of b t + c, if a is zero, its only one. Precondition: the
-  /// polynomial has that root.
+  /// The lower (root 0) or the upper root of a t² + b t + c; of b t + c, if a is zero, its only one. d < 0
+  /// if there are none. Precondition: the polynomial is not constant.
   static ExactRoot of(const Dyadic& a, const Dyadic& b, const Dyadic& c, unsigned root);
 };
 

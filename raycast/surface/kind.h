@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include "raycast/line/exact_root.h"
@@ -10,11 +9,10 @@
 
 namespace csgcast {
 
-/// What the engine knows of one kind of surface: a row of the table of kinds (kinds.h). Functions that take a line and
-/// the surface's id tell of the surface that the line departs from as well (LineCrossings).
+/// What the engine knows of one kind of surface: a row of the table of kinds (kinds.h). A function that gets the
+/// surface's id can tell whether the line departs from the surface. LineCrossings says what it answers then.
 struct SurfaceKind {
-  const char* name;             ///< "plane"
-  std::uint8_t most_crossings;  ///< of one line
+  const char* name;  ///< "plane"
   /// Whether surfaces with this form are of the kind.
   bool (*takes)(const QuadricForm& form);
 

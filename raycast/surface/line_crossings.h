@@ -14,8 +14,8 @@
 
 namespace csgcast {
 
-/// What is kept of one line while it is asked about: what exact arithmetic found out, to be asked for again, and the
-/// crossings that do not fit into LineCrossings.
+/// Keeps what was found out about one line: exact numbers, so that they are computed once, and the crossings that do
+/// not fit into LineCrossings.
 class LineMemory {
  public:
   LineMemory();

@@ -21,7 +21,7 @@ struct ExactPolynomial {
   Dyadic c;
 
   ExactPolynomial(const Line& line, SurfaceId id, const Surface& surface);
-  /// Root 0 is the lower one. Precondition: the polynomial has that root.
+  /// Root 0 is the lower one; d < 0 if there are none. Precondition: the polynomial is not constant.
   ExactRoot root(unsigned number) const { return ExactRoot::of(a, b, c, number); }
 };
 
@@ -31,7 +31,7 @@ class ExactMemory {
   void forget() { known_.clear(); }
 
   const ExactPolynomial& polynomial(const Line& line, SurfaceId id, const Surface& surface);
-  /// Precondition: the polynomial has that root.
+  /// ExactPolynomial::root.
   const ExactRoot& root(const Line& line, SurfaceId id, const Surface& surface, unsigned root);
 
  private:

@@ -28,6 +28,12 @@ struct TwofoldBounded {
 
 using TwofoldVector = std::array<Twofold, 3>;
 
+/// Whether this rung leaves everything open: the form is another one after a departure, and its numbers tell nothing
+/// out of their range.
+inline bool is_beyond_twofold(const Line& line, SurfaceId id, const Surface& surface) {
+  return id == line.departure || !surface.in_range || !line.in_frame.in_range;
+}
+
 inline double longest(const TwofoldVector& q) {
   return std::fmax(std::fabs(q[0].high), std::fmax(std::fabs(q[1].high), std::fabs(q[2].high)));
 }
@@ -63,7 +69,7 @@ inline TwofoldBounded quotient(const TwofoldBounded& a, const TwofoldBounded& b)
 
 inline void report(LineCrossings& found, unsigned root, const TwofoldRoot& tau) {
   found.few[root] = tau.tau.high;
-  found.error = std::fmax(found.error, tau.error + 0x1p-53 * std::fabs(tau.tau.high));
+  found.error = std::fmax(found.error, tau.error + unit_roundoff * std::fabs(tau.tau.high));
 }
 
 }  // namespace csgcast::detail

@@ -2,7 +2,6 @@
 #include "raycast/surface/plane/plane.h"
 
 #include "csg/exact/quadric_form.h"
-
 #include "raycast/surface/detail/exact_line.h"
 #include "raycast/surface/detail/form_sign.h"
 #include "raycast/surface/detail/nearest_t.h"
@@ -19,7 +18,6 @@ Vector plane_gradient(const Surface& surface, const Frame&, Point) {
 }  // namespace
 
 const SurfaceKind plane_kind{.name = "plane",
-                             .most_crossings = 1,
                              .takes = [](const QuadricForm& form) { return form.is_plane(); },
                              .in_double = detail::filtered_plane,
                              .in_twofold = detail::twofold_plane,

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/surface/plane/plane.h"
 
-#include "csg/exact/quadric_form.h"
-
 #include <cmath>
 
 #include "csg/base/length.h"
+#include "csg/exact/quadric_form.h"
 #include "raycast/surface/detail/bounded.h"
 #include "raycast/surface/detail/line_crossings.h"
 
@@ -30,7 +29,7 @@ Bounded slope_of(const LineFrame& line, const Surface& plane) {
   return {plane_on_line(line, plane).slope, 5 * unit_roundoff * plane.first_degree * longest(line.direction)};
 }
 
-// Exactly, every product having a factor zero.
+// Whether the line is parallel to the plane, exactly: then a factor of each product is zero.
 bool is_parallel(const LineFrame& line, const Surface& plane) {
   const auto vanishes = [&](Form::Term term, double d) { return plane.local[term] == 0 || d == 0; };
   const Vector d = line.direction;
@@ -58,7 +57,7 @@ std::optional<LineCrossings> crossings(const LineFrame& line, const Surface& pla
     return found;
   }
   if (is_parallel(line, plane) && value.is_certain()) return none(value.value > 0);
-  // Nearly so: the crossing, if there is one, lies out of reach.
+  // The line is nearly parallel: a crossing, if there is one, lies out of reach.
   const double farthest = (reach + 2 * size) * slope.most() * rounding_of_bounds;
   if (plane.is_local && value.least() > farthest) return none(value.value > 0);
   return std::nullopt;

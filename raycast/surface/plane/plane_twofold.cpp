@@ -25,14 +25,10 @@ std::optional<TwofoldRoot> root_of(const LineFrame& line, const Surface& plane) 
   return TwofoldRoot{-ratio.value, ratio.error};
 }
 
-bool is_open(const Line& line, SurfaceId id, const Surface& plane) {
-  return id == line.departure || !plane.in_range || !line.in_frame.in_range;
-}
-
 }  // namespace
 
 std::optional<LineCrossings> twofold_plane(const Line& line, SurfaceId id, const Surface& plane) {
-  if (is_open(line, id, plane)) return std::nullopt;
+  if (is_beyond_twofold(line, id, plane)) return std::nullopt;
   const std::optional<TwofoldRoot> root = root_of(line.in_frame, plane);
   if (!root) return std::nullopt;
   LineCrossings found;
@@ -43,7 +39,7 @@ std::optional<LineCrossings> twofold_plane(const Line& line, SurfaceId id, const
 }
 
 std::optional<TwofoldRoot> twofold_plane_root(const Line& line, const CrossingView& crossing) {
-  if (is_open(line, crossing.id, *crossing.surface)) return std::nullopt;
+  if (is_beyond_twofold(line, crossing.id, *crossing.surface)) return std::nullopt;
   return root_of(line.in_frame, *crossing.surface);
 }
 

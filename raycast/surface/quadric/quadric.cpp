@@ -28,7 +28,6 @@ Vector quadric_gradient(const Surface& surface, const Frame& frame, Point p) {
 }  // namespace
 
 const SurfaceKind quadric_kind{.name = "quadric",
-                               .most_crossings = 2,
                                .takes = [](const QuadricForm& form) { return !form.is_plane(); },
                                .in_double = detail::filtered_quadric,
                                .in_twofold = detail::twofold_quadric,

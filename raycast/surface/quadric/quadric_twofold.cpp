@@ -95,14 +95,10 @@ TwofoldRoot from_origin(const TwofoldBounded& s, double origin) {
   return {tau, (s.error + 4 * uu * std::fabs(tau.high)) * rounding_of_bounds};
 }
 
-bool is_open(const Line& line, SurfaceId id, const Surface& quadric) {
-  return id == line.departure || !quadric.in_range || !line.in_frame.in_range;
-}
-
 }  // namespace
 
 std::optional<LineCrossings> twofold_quadric(const Line& line, SurfaceId id, const Surface& surface) {
-  if (is_open(line, id, surface)) return std::nullopt;
+  if (is_beyond_twofold(line, id, surface)) return std::nullopt;
   const Quadratic f = restrict_to_line(line.in_frame, surface);
   const TwofoldBounded discriminant = discriminant_of(f);
   if (!discriminant.is_certain() || !f.a.is_certain()) return std::nullopt;
@@ -119,7 +115,7 @@ std::optional<LineCrossings> twofold_quadric(const Line& line, SurfaceId id, con
 
 std::optional<TwofoldRoot> twofold_quadric_root(const Line& line, const CrossingView& crossing) {
   const Surface& surface = *crossing.surface;
-  if (is_open(line, crossing.id, surface)) return std::nullopt;
+  if (is_beyond_twofold(line, crossing.id, surface)) return std::nullopt;
   const Quadratic f = restrict_to_line(line.in_frame, surface);
   const TwofoldBounded discriminant = discriminant_of(f);
   if (!discriminant.is_certain() || !discriminant.is_positive()) return std::nullopt;
