@@ -12,7 +12,9 @@
 #include <span>
 
 #include "cli/command/commands.h"
+#include "cli/output/interrupt.h"
 #include "cli/output/output.h"
+#include "cli/output/usage.h"
 #include "csg/base/error.h"
 
 namespace {
@@ -83,13 +85,14 @@ int main(int argc, char** argv) {
   // A reader that has gone and a file that may not grow come back as errors of write() instead.
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+  remove_files_if_interrupted();
   try {
     return run(argc, argv);
   } catch (const BrokenPipe&) {
     return done;
   } catch (const Error& error) {
     fmt::print(stderr, "{}\n", error.what());
-    return bad_input;
+    return error.code() == ErrorCode::machine ? machine_failed : bad_input;
   } catch (const MachineError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::bad_alloc&) {

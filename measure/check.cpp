@@ -49,7 +49,7 @@ class CommonLine {
 class Checker {
  public:
   Checker(const Scene& scene, const CheckOptions& options)
-      : scene_(scene), options_(options), space_(scene), lines_(scene) {}
+      : scene_(scene), options_(options), progress_(options.progress), space_(scene), lines_(scene) {}
 
   CheckReport operator()() {
     const Box& whole = scene_.node(scene_.root()).box;
@@ -60,10 +60,11 @@ class Checker {
     report_.looked_for_redundancy = scene_.leaves().size() <= options_.most_leaves;
     if (report_.looked_for_redundancy) {
       auto [found, not_asked] = detail::redundancies(
-          space_, [&](NodeId node) { return is_empty(node); }, [&](double done) { return tell(0.5 + 0.5 * done); });
+          space_, [&](NodeId node) { return is_empty(node); }, [&](double done) { tell(0.5 + 0.5 * done); });
       report_.redundant = std::move(found);
       report_.not_asked = not_asked;
     }
+    progress_.finish();
     return std::move(report_);
   }
 
@@ -96,8 +97,8 @@ class Checker {
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       return box(a).lower.x != box(b).lower.x ? box(a).lower.x < box(b).lower.x : a < b;
     });
-    for (std::size_t k = 0; k < order.size() && tell(0.5 * static_cast<double>(k) / static_cast<double>(order.size()));
-         ++k) {
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      tell(0.5 * static_cast<double>(k) / static_cast<double>(order.size()));
       for (std::size_t l = k + 1; l < order.size() && box(order[l]).lower.x <= box(order[k]).upper.x; ++l) {
         if (intersection(box(order[k]), box(order[l])).is_null()) continue;
         check_pair(PartId(std::min(order[k], order[l])), PartId(std::max(order[k], order[l])));
@@ -131,10 +132,11 @@ class Checker {
     }
   }
 
-  bool tell(double done) const { return !options_.goes_on || options_.goes_on(done); }
+  void tell(double done) { progress_.tell({done, {}}); }
 
   const Scene& scene_;
   const CheckOptions& options_;
+  ProgressTeller progress_;
   Space space_;
   CommonLine lines_;
   CheckReport report_;

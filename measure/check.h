@@ -3,11 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "csg/base/ids.h"
+#include "csg/base/progress.h"
 #include "csg/base/vector.h"
 #include "measure/search/redundancy.h"
 #include "measure/sheet/measures.h"
@@ -46,13 +46,12 @@ struct CheckReport {
 
 struct CheckOptions {
   std::size_t most_leaves = 1'000'000;  ///< with more it is not looked for what is redundant, which takes a search each
-  /// Called now and then with the share done; false: enough. May be empty.
-  std::function<bool(double)> goes_on;
+  ProgressCallback progress{};
 };
 
 /// Overlaps are decided by certified rays: one is reported exactly if a ray was found on which both parts are inside at
 /// once. Parts whose faces only touch, or coincide, share nothing. What is redundant is proved; of what may have an
-/// unbounded effect, or meets the boxes of hundreds of others, nothing is.
+/// unbounded effect, or meets the boxes of hundreds of others, nothing is. Throws Cancelled.
 CheckReport check(const Scene& scene, const CheckOptions& options = {});
 
 }  // namespace csgcast

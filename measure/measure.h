@@ -8,10 +8,9 @@
 
 namespace csgcast {
 
-/// One node, as if it were alone and of one density. The work is shared by the threads that oneTBB has where it is
-/// called; the result does not depend on their number.
+/// One node, as if it were alone and of one density.
 ///
-/// Throws Error(bad_value) for errors that are not positive, or a density that is negative or not finite.
+/// Throws Error(bad_value) for errors that are not positive, or a density that is negative or not finite; Cancelled.
 Measures measure(const Scene& scene, NodeId node, double density, const MeasureOptions& options = {});
 
 /// The whole solid and each of its parts.
@@ -22,6 +21,7 @@ struct SceneMeasures {
   std::vector<Measures> parts;  ///< each as if it were alone
 };
 
+/// Throws likewise.
 SceneMeasures measure(const Scene& scene, const MeasureOptions& options = {});
 
 }  // namespace csgcast

@@ -66,10 +66,7 @@ class PlaneFrame {
   double scale_, u_, v_;
 };
 
-}  // namespace
-
-Section section(const Scene& scene, const Plane& plane, const SectionOptions& options) {
-  check(plane);
+Section cut(const Scene& scene, const Plane& plane, const SectionOptions& options, ProgressTeller& teller) {
   const Space whole(scene);
   Section result;
   if (!whole.is_bounded() && !whole.is_empty()) {
@@ -83,12 +80,14 @@ Section section(const Scene& scene, const Plane& plane, const SectionOptions& op
   MeasureOptions job;
   job.relative_error = job.relative_area_error = options.relative_error;
   job.most_pieces = options.most_pieces;
-  const detail::Totals totals = detail::refine(space, job);
+  // The arcs are taken for half of the work; how far they are is not known.
+  const auto tell = [&](double share) { teller.tell({share, {}}); };
+  const detail::Totals totals = detail::refine(space, job, [&](const Progress& now) { tell(0.5 * now.share); });
   const double s = space.scale();
   // Its height is 1: what is a volume there is an area here, an area a length.
   result.area = detail::scaled(s * s, totals.moments.volume, totals.volume_error);
   result.perimeter = detail::scaled(s, totals.area, totals.area_error);
-  const detail::ArcTrace trace = detail::trace_arcs(space, options.most_pieces);
+  const detail::ArcTrace trace = detail::trace_arcs(space, options.most_pieces, [&] { tell(0.5); });
   const PlaneFrame frame(space, plane, result);
   const detail::JoinedArcs joined = detail::join_arcs(trace);
   result.is_closed = joined.is_closed;
@@ -101,6 +100,16 @@ Section section(const Scene& scene, const Plane& plane, const SectionOptions& op
   }
   const double off = s * (joined.widest_corner + trace.displaced + 0x1p-40) + 0x1p-50 * longest(scene.frame().center);
   if (!result.loops.empty()) result.place_error = off;
+  return result;
+}
+
+}  // namespace
+
+Section section(const Scene& scene, const Plane& plane, const SectionOptions& options) {
+  check(plane);
+  ProgressTeller teller(options.progress);
+  Section result = cut(scene, plane, options, teller);
+  teller.finish();
   return result;
 }
 

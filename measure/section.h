@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csg/base/ids.h"
+#include "csg/base/progress.h"
 #include "csg/base/vector.h"
 #include "measure/sheet/measures.h"
 #include "raycast/scene/scene.h"
@@ -59,9 +60,10 @@ struct Section {
 struct SectionOptions {
   double relative_error = 1e-6;  ///< of area and perimeter
   std::size_t most_pieces = 400'000;
+  ProgressCallback progress{};
 };
 
-/// Throws Error(bad_value) for a normal that is zero or numbers that are not finite.
+/// Throws Error(bad_value) for a normal that is zero or numbers that are not finite; Cancelled.
 Section section(const Scene& scene, const Plane& plane, const SectionOptions& options = {});
 
 }  // namespace csgcast

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "csg/base/length.h"
+#include "csg/base/precondition.h"
 #include "raycast/packets/packet_caster.h"
 
 namespace csgcast {
@@ -37,13 +38,12 @@ struct Faces {
   std::size_t count() const { return surface.size(); }
   RayArrays rays() const {
     RayArrays arrays;
-    arrays.count = count();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      arrays.origin[axis] = place[axis].data();
-      arrays.direction[axis] = inwards[axis].data();
+      arrays.origin[axis] = place[axis];
+      arrays.direction[axis] = inwards[axis];
     }
-    arrays.departure = surface.data();
-    arrays.departs_positive = goes_positive.data();
+    arrays.departure = surface;
+    arrays.departs_positive = goes_positive;
     return arrays;
   }
 };
@@ -60,7 +60,7 @@ struct ThicknessProbe::State {
     state.resize(count);
     t.resize(count);
     hit.resize(count);
-    caster.first_hits(faces.rays(), {state.data(), t.data(), hit.data()}, Rounding::close);
+    caster.first_hits(faces.rays(), {state, t, hit}, Rounding::close);
     for (std::size_t i = 0; i < count; ++i) {
       const double thickness = state[i] == HitArrays::none ? HUGE_VAL : t[i];
       tell(i, thickness);
@@ -96,25 +96,28 @@ ThicknessProbe::ThicknessProbe(ThicknessProbe&&) noexcept = default;
 
 const std::optional<ThinPlace>& ThicknessProbe::thinnest() const { return state_->thinnest; }
 
-void ThicknessProbe::first_faces(const RayArrays& rays, double* thickness) {
+void ThicknessProbe::first_faces(const RayArrays& rays, std::span<double> thickness) {
+  CSGCAST_PRECONDITION(thickness.size() == rays.count());
   State& s = *state_;
-  std::vector<std::uint8_t> state(rays.count), front(rays.count);
-  std::vector<double> numbers(7 * rays.count);
-  std::vector<std::uint32_t> ids(3 * rays.count);
+  const std::size_t count = rays.count();
+  std::vector<std::uint8_t> state(count), front(count);
+  std::vector<double> numbers(7 * count);
+  std::vector<std::uint32_t> ids(3 * count);
+  const auto column = [count](auto& table, std::size_t i) { return std::span(table).subspan(i * count, count); };
   FaceArrays arrays;
-  arrays.state = state.data();
-  arrays.t = numbers.data();
-  arrays.surface = ids.data();
-  arrays.look = ids.data() + rays.count;
-  arrays.leaf = ids.data() + 2 * rays.count;
-  arrays.comes_positive = front.data();
+  arrays.state = state;
+  arrays.t = column(numbers, 0);
+  arrays.surface = column(ids, 0);
+  arrays.look = column(ids, 1);
+  arrays.leaf = column(ids, 2);
+  arrays.comes_positive = front;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    arrays.point[axis] = numbers.data() + (1 + axis) * rays.count;
-    arrays.normal[axis] = numbers.data() + (4 + axis) * rays.count;
+    arrays.point[axis] = column(numbers, 1 + axis);
+    arrays.normal[axis] = column(numbers, 4 + axis);
   }
   s.caster.first_faces(rays, arrays);
   s.faces.clear();
-  for (std::size_t i = 0; i < rays.count; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     thickness[i] = 0;
     if (state[i] != HitArrays::entry) continue;
     s.faces.add({arrays.point[0][i], arrays.point[1][i], arrays.point[2][i]},
@@ -129,7 +132,7 @@ void ThicknessProbe::all_faces(const RayArrays& rays) {
   const Scene& scene = s.cells.scene();
   s.caster.intervals(rays, s.batch, Rounding::close, PacketCaster::Ends::faces);
   s.faces.clear();
-  for (std::size_t ray = 0; ray < rays.count; ++ray) {
+  for (std::size_t ray = 0; ray < rays.count(); ++ray) {
     for (std::size_t i = s.batch.offsets[ray]; i < s.batch.offsets[ray + 1]; ++i) {
       for (const std::size_t end : {2 * i, 2 * i + 1}) {
         const Crossing& crossing = end % 2 == 0 ? s.batch.intervals[i].entry : s.batch.intervals[i].exit;
@@ -149,9 +152,13 @@ void ThicknessProbe::all_faces(const RayArrays& rays) {
   s.cast_inwards([](std::size_t, double) {});
 }
 
-std::optional<ThinPlace> find_thinnest(const Cells& cells, std::size_t samples) {
+std::optional<ThinPlace> find_thinnest(const Cells& cells, std::size_t samples, const ProgressCallback& callback) {
   const Box& bounds = cells.scene().bounds();
-  if (bounds.is_null() || !bounds.is_finite()) return std::nullopt;
+  ProgressTeller progress(callback, 3 * samples);
+  if (bounds.is_null() || !bounds.is_finite()) {
+    progress.finish();
+    return std::nullopt;
+  }
   std::vector<std::optional<ThinPlace>> found(3 * samples);  // by row
   const Vector size = bounds.size();
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t row) {
@@ -170,15 +177,16 @@ std::optional<ThinPlace> find_thinnest(const Cells& cells, std::size_t samples) 
       numbers[3 + axis][i] = 1;
     }
     RayArrays rays;
-    rays.count = samples;
     for (std::size_t on = 0; on < 3; ++on) {
-      rays.origin[on] = numbers[on].data();
-      rays.direction[on] = numbers[3 + on].data();
+      rays.origin[on] = numbers[on];
+      rays.direction[on] = numbers[3 + on];
     }
     ThicknessProbe probe(cells);
     probe.all_faces(rays);
     found[row] = probe.thinnest();
+    progress.step();
   });
+  progress.finish();
   std::optional<ThinPlace> best;
   for (const std::optional<ThinPlace>& place : found) {
     if (place && (!best || place->thickness < best->thickness)) best = place;

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "csg/base/ids.h"
+#include "csg/base/progress.h"
 #include "csg/base/vector.h"
 #include "raycast/cells/cells.h"
 #include "raycast/packets/ray_arrays.h"
@@ -30,9 +32,9 @@ class ThicknessProbe {
   ~ThicknessProbe();
   ThicknessProbe(ThicknessProbe&&) noexcept;
 
-  /// `thickness`: as many numbers as rays: at the first face that each ray enters by; 0 where it enters by none,
-  /// infinite where nothing ends the solid.
-  void first_faces(const RayArrays& rays, double* thickness);
+  /// Tells the thickness at the first face that each ray enters by: 0 where it enters by none, infinite where nothing
+  /// ends the solid. Precondition: as many numbers as rays.
+  void first_faces(const RayArrays& rays, std::span<double> thickness);
   /// Looks at every face that the rays meet.
   void all_faces(const RayArrays& rays);
 
@@ -47,8 +49,7 @@ class ThicknessProbe {
 
 /// The thinnest of the places that `samples` x `samples` rays along each axis of the scene, evenly spread over its
 /// bounds, meet, two for each of their intervals. No bound: between the rays the solid may be thinner. Nothing for a
-/// solid that is empty or unbounded. On the threads that oneTBB has where it is called; the result does not depend on
-/// their number.
-std::optional<ThinPlace> find_thinnest(const Cells& cells, std::size_t samples);
+/// solid that is empty or unbounded. Throws Cancelled.
+std::optional<ThinPlace> find_thinnest(const Cells& cells, std::size_t samples, const ProgressCallback& callback = {});
 
 }  // namespace csgcast

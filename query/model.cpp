@@ -8,10 +8,8 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <utility>
 
 #include "csg/base/error.h"
@@ -25,7 +23,7 @@ constexpr std::size_t rays_at_once = 4096;
 
 void check_triples(std::span<const double> numbers, const char* what) {
   if (numbers.size() % 3 == 0) return;
-  throw Error(ErrorCode::usage, {}, fmt::format("{} {} are not three for each", numbers.size(), what),
+  throw Error(ErrorCode::usage, {}, fmt::format("there are {} {}, no multiple of 3", numbers.size(), what),
               "x, y and z follow one another", "give 3 x count numbers");
 }
 
@@ -46,15 +44,14 @@ class RayBuffer {
       if (!is_sound(i)) refuse(first + i, i);
     }
     RayArrays arrays;
-    arrays.count = count;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      arrays.origin[axis] = numbers_[axis].data();
-      arrays.direction[axis] = numbers_[3 + axis].data();
+      arrays.origin[axis] = numbers_[axis];
+      arrays.direction[axis] = numbers_[3 + axis];
     }
     arrays.whole_line = span.from != 0;
     if (span.to != HUGE_VAL) {
       ends_.assign(count, span.to);
-      arrays.end = ends_.data();
+      arrays.end = ends_;
     }
     return arrays;
   }
@@ -73,8 +70,10 @@ class RayBuffer {
     const Vector d = direction(i);
     if (!is_finite(origin(i)) || !is_finite(d) || d == Vector{}) {
       const bool is_zero = d == Vector{};
-      throw Error(ErrorCode::bad_value, {}, fmt::format("ray {} (counted from 0) is none", index),
-                  is_zero ? "its direction is zero" : "a number of it is not finite", "correct it or leave it out");
+      throw Error(ErrorCode::bad_value, {},
+                  fmt::format("ray {} (counted from 0) has {}", index,
+                              is_zero ? "the direction zero" : "a number that is not finite"),
+                  "it does not say where to look", "correct the ray or leave it out");
     }
     throw Error(ErrorCode::limit, {}, fmt::format("ray {} (counted from 0) is out of range", index),
                 "coordinates up to 2^400 and directions from 2^-400 to 2^400 work", "choose another unit of length");
@@ -97,28 +96,16 @@ template <class Work>
 void in_runs(const Cells& cells, std::size_t total, const QueryOptions& options, Work&& work) {
   tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(cells); });
   const std::size_t runs = (total + rays_at_once - 1) / rays_at_once;
-  std::atomic<std::size_t> done = 0;
-  std::atomic<bool> is_cancelled = false;
-  std::mutex telling;
-  double told = 0;
-  const auto tell = [&] {
-    const std::size_t now = ++done;
-    if (!options.goes_on) return;
-    const std::unique_lock lock(telling, std::try_to_lock);
-    const double share = static_cast<double>(now) / static_cast<double>(runs);
-    if (!lock.owns_lock() || share < told) return;
-    told = share;
-    if (!options.goes_on(share)) is_cancelled = true;
-  };
+  ProgressTeller progress(options.progress, runs);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, runs, 1), [&](const auto& range) {
     Worker& worker = workers.local();
-    for (std::size_t run = range.begin(); run != range.end() && !is_cancelled; ++run) {
+    for (std::size_t run = range.begin(); run != range.end(); ++run) {
       const std::size_t first = run * rays_at_once;
       work(worker, run, first, std::min(rays_at_once, total - first));
-      tell();
+      progress.step();
     }
   });
-  if (is_cancelled) throw Cancelled();
+  progress.finish();
 }
 
 void check(const Rays& rays, const QueryOptions& options) {
@@ -126,7 +113,7 @@ void check(const Rays& rays, const QueryOptions& options) {
   check_triples(rays.directions, "coordinates of directions");
   if (rays.origins.size() != rays.directions.size()) {
     throw Error(ErrorCode::usage, {},
-                fmt::format("{} origins and {} directions make no rays", rays.count(), rays.directions.size() / 3),
+                fmt::format("there are {} origins, but {} directions", rays.count(), rays.directions.size() / 3),
                 "each ray has one of either", "give as many of both");
   }
   if (!(options.span.from < options.span.to)) {
@@ -228,8 +215,10 @@ HitTable Model::first_hits(const Rays& rays, const QueryOptions& options) const 
     std::array<std::uint8_t, rays_at_once> state;
     std::array<std::uint8_t, rays_at_once> root;
     if (options.span.from == 0) {
-      worker.packets.first_hits(arrays, {state.data(), &table.t[first], &table.surfaces[first], root.data()},
-                                options.rounding);
+      worker.packets.first_hits(
+          arrays,
+          {state, std::span(table.t).subspan(first, count), std::span(table.surfaces).subspan(first, count), root},
+          options.rounding);
     } else {
       Caster caster(scene());
       for (std::size_t i = 0; i < count; ++i) {
@@ -256,7 +245,7 @@ std::vector<std::uint8_t> Model::any_hits(const Rays& rays, const QueryOptions& 
   std::vector<std::uint8_t> hits(rays.count());
   in_runs(cells(), rays.count(), options, [&](Worker& worker, std::size_t, std::size_t first, std::size_t count) {
     const RayArrays arrays = worker.rays.load(rays, first, count, options.span);
-    if (options.span.from == 0) return worker.packets.any_hits(arrays, &hits[first]);
+    if (options.span.from == 0) return worker.packets.any_hits(arrays, std::span(hits).subspan(first, count));
     Caster caster(scene());
     for (std::size_t i = 0; i < count; ++i) {
       caster.begin(worker.rays.ray(i));
@@ -271,7 +260,7 @@ std::vector<Location> Model::locate(std::span<const double> points, const QueryO
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (std::isfinite(points[i])) continue;
     throw Error(ErrorCode::bad_value, {},
-                fmt::format("point {} (counted from 0) has a coordinate that is no number", i / 3), "it is nowhere",
+                fmt::format("point {} (counted from 0) has a coordinate that is not finite", i / 3), "it is nowhere",
                 "correct it or leave it out");
   }
   std::vector<Location> locations(points.size() / 3);

@@ -3,12 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
+#include "csg/base/progress.h"
 #include "csg/solid/solid.h"
 #include "raycast/cells/cells.h"
 #include "raycast/ray/caster.h"
@@ -31,15 +30,7 @@ struct QueryOptions {
   Rounding rounding = Rounding::nearest;  ///< of t
   bool faces = false;                     ///< leaves and parts of intervals as well
   bool normals = false;                   ///< and normals
-  /// Called now and then with the share done, ascending in [0, 1], by one thread at a time; false: no more is wanted,
-  /// and the query ends with Cancelled. May be empty.
-  std::function<bool(double done)> goes_on{};
-};
-
-/// A query was ended by QueryOptions::goes_on.
-class Cancelled : public std::runtime_error {
- public:
-  Cancelled() : std::runtime_error("the query was cancelled") {}
+  ProgressCallback progress{};
 };
 
 /// No surface, leaf or part: an end that no surface makes, a face in no part.
@@ -70,8 +61,8 @@ constexpr std::int8_t sign_of(Location location) {
   return location == Location::inside ? 1 : location == Location::outside ? -1 : 0;
 }
 
-/// A solid made ready for questions: compiled, and cut into cells. Any number of threads may ask it at once; queries of
-/// many rays or points share the work among the threads that oneTBB has where they are called. Answers are certified:
+/// A solid made ready for questions: compiled, and cut into cells. Any number of threads may ask it at once; making it
+/// and queries of many rays or points share the work among threads: raycast/packets/threads.h. Answers are certified:
 /// docs/answer.md.
 class Model {
  public:

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "csg/base/precondition.h"
 #include "csg/base/vector.h"
 
 namespace csgcast::verify {
@@ -26,7 +27,10 @@ class Random {
   /// In [low, high).
   double number(double low, double high) { return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53); }
   /// In [0, count). Precondition: count > 0.
-  std::size_t index(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
+  std::size_t index(std::size_t count) {
+    CSGCAST_PRECONDITION(count > 0);
+    return static_cast<std::size_t>(bits() % count);
+  }
   double sign() { return index(2) == 0 ? 1 : -1; }
   /// 10^-digits with digits anywhere in [least, most).
   double power_of_tenth(double least, double most) { return std::pow(10.0, -number(least, most)); }

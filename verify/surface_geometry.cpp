@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
 #include "csg/base/length.h"
+#include "csg/base/precondition.h"
 #include "csg/exact/dyadic.h"
 #include "csg/exact/quadric_form.h"
 
@@ -51,7 +51,7 @@ Vector exact_gradient(const Form& form, Point p) {
 
 // The shortest step from p onto all tangent planes at once: one direction after the other, each square to those before.
 std::optional<Vector> newton_step(const Scene& scene, std::span<const SurfaceId> surfaces, Point p) {
-  assert(surfaces.size() <= 3);
+  CSGCAST_PRECONDITION(surfaces.size() <= 3);
   std::array<Vector, 3> axis;
   Vector step;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {

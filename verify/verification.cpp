@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "verify/verification.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
 
+#include "raycast/packets/threads.h"
 #include "verify/adversarial_rays.h"
 
 namespace csgcast::verify {
 namespace {
 
 constexpr int most_rounds = 8;
-constexpr int most_threads = 1024;
 
 std::size_t adversarial_kinds() { return AdversarialRays::kinds().size() - 1; }
 
@@ -38,6 +34,7 @@ class Job {
         rays_a_kind_(std::clamp<std::uint64_t>(options.rays / adversarial_kinds(), 1, 4)),
         rays_a_block_(rays_a_kind_ * adversarial_kinds()),
         blocks_a_sort_((options.rays + rays_a_block_ - 1) / rays_a_block_),
+        progress_(options.progress, 2 * blocks_a_sort_),
         workers_([&scene, kinds] { return Worker(scene, kinds); }) {
     for (const EngineKind& kind : kinds) report_.engines.push_back(kind.name);
     for (const std::string_view kind : AdversarialRays::kinds())
@@ -45,13 +42,10 @@ class Job {
   }
 
   VerificationReport run() {
-    const int threads =
-        options_.threads > 0 ? std::min(options_.threads, most_threads) : tbb::info::default_concurrency();
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
+    on_threads(options_.threads, [&] {
       tbb::parallel_for(std::uint64_t{0}, 2 * blocks_a_sort_, [&](std::uint64_t block) { do_block(block); });
     });
+    progress_.finish();
     std::erase_if(report_.kinds, [](const KindReport& kind) { return kind.tallies.front().rays == 0; });
     for (auto& [order, found] : found_) report_.mismatches.push_back(std::move(found));
     return std::move(report_);
@@ -73,7 +67,7 @@ class Job {
       for (std::size_t i = 0; i < most_rounds * kinds && left > 0; ++i)
         left -= do_rays(worker, block, 1 + (index + i) % kinds, random, std::min(left, rays_a_kind_));
     }
-    tell();
+    progress_.step();
   }
 
   /// How many there were.
@@ -96,21 +90,15 @@ class Job {
     if (found_.size() > options_.most_mismatches) found_.pop_back();
   }
 
-  void tell() {
-    if (!options_.progress) return;
-    const std::lock_guard lock(mutex_);
-    options_.progress(static_cast<double>(++done_) / static_cast<double>(2 * blocks_a_sort_));
-  }
-
   const VerificationOptions& options_;
   std::size_t rays_a_kind_;  // in a round of all kinds
   std::size_t rays_a_block_;
   std::uint64_t blocks_a_sort_;
+  ProgressTeller progress_;
   tbb::enumerable_thread_specific<Worker> workers_;
   std::mutex mutex_;  // guards what follows
   VerificationReport report_;
   std::vector<std::pair<std::uint64_t, FoundMismatch>> found_;  // ascending in the block
-  std::uint64_t done_ = 0;
 };
 
 }  // namespace

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "csg/base/progress.h"
 #include "verify/comparison.h"
 
 namespace csgcast::verify {
@@ -14,10 +14,9 @@ namespace csgcast::verify {
 struct VerificationOptions {
   std::uint64_t rays = 10'000;  ///< random rays, and as many adversarial ones
   std::uint64_t seed = 1;
-  int threads = 0;                   ///< 0: all cores
+  int threads = 0;                   ///< as of on_threads(); 0: those of the present arena
   std::size_t most_mismatches = 10;  ///< how many are kept to be shown
-  /// Told the share done, ascending, in [0, 1], one thread at a time; may throw to give up.
-  std::function<void(double)> progress;
+  ProgressCallback progress{};
 };
 
 /// The counts of one kind of rays, for each engine.
@@ -43,7 +42,7 @@ struct VerificationReport {
 /// that the scene has no place for are made up for by the others; near the limits of the range there may be fewer.
 ///
 /// The report depends on the scene, the rays and the seed, and not on the number of threads. Memory does not grow with
-/// the number of rays.
+/// the number of rays. Throws Cancelled.
 VerificationReport verify_scene(const Scene& scene, const VerificationOptions& options,
                                 std::span<const EngineKind> kinds = engines());
 

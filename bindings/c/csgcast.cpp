@@ -33,9 +33,12 @@ csgcast_status guarded(Call&& call) {
   try {
     call();
     return CSGCAST_OK;
+  } catch (const Cancelled& cancelled) {
+    last_error = cancelled.what();
+    return CSGCAST_CANCELLED;
   } catch (const Error& error) {
     last_error = error.what();
-    return CSGCAST_BAD_INPUT;
+    return error.code() == ErrorCode::machine ? CSGCAST_FAILED : CSGCAST_BAD_INPUT;
   } catch (const std::bad_alloc&) {
     last_error = "error: out of memory";
   } catch (const std::exception& error) {
@@ -97,9 +100,19 @@ Rays rays_of(size_t count, const double* origins, const double* directions) {
   return {{origins, 3 * count}, {directions, 3 * count}};
 }
 
-QueryOptions between(double t_min, double t_max) {
+ProgressCallback callback_of(const csgcast_monitor* monitor) {
+  if (monitor == nullptr || monitor->progress == nullptr) return {};
+  return [monitor = *monitor](const Progress& now) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const csgcast_progress progress{now.share, now.relative_error.value_or(none)};
+    return monitor.progress(&progress, monitor.data) != 0;
+  };
+}
+
+QueryOptions between(double t_min, double t_max, const csgcast_monitor* monitor) {
   QueryOptions options;
   options.span = {t_min, t_max};
+  options.progress = callback_of(monitor);
   return options;
 }
 
@@ -126,11 +139,12 @@ csgcast_measures as_c(const Measures& m) {
 }
 
 SceneMeasures measured(const csgcast_model* model, double relative_error, double area_error,
-                       const csgcast_measures* result) {
+                       const csgcast_monitor* monitor, const csgcast_measures* result) {
   require(model != nullptr && result != nullptr, "the model or the place for the result is NULL");
   MeasureOptions options;
   options.relative_error = relative_error;
   options.relative_area_error = area_error;
+  options.progress = callback_of(monitor);
   return measure(model->model.scene(), options);
 }
 
@@ -190,11 +204,11 @@ double csgcast_part_density(const csgcast_model* model, size_t part) {
 }
 
 csgcast_status csgcast_cast(const csgcast_model* model, size_t rays, const double* origins, const double* directions,
-                            double t_min, double t_max, csgcast_intervals* result) {
+                            double t_min, double t_max, const csgcast_monitor* monitor, csgcast_intervals* result) {
   return guarded([&] {
     require(model != nullptr && result != nullptr, "the model or the place for the result is NULL");
     *result = {};
-    QueryOptions options = between(t_min, t_max);
+    QueryOptions options = between(t_min, t_max, monitor);
     options.faces = options.normals = true;
     auto table = std::make_unique<IntervalTable>(model->model.intervals(rays_of(rays, origins, directions), options));
     *result = {rays,
@@ -217,11 +231,11 @@ void csgcast_free_intervals(csgcast_intervals* result) {
 }
 
 csgcast_status csgcast_first_hits(const csgcast_model* model, size_t rays, const double* origins,
-                                  const double* directions, double t_min, double t_max, double* t, uint32_t* surfaces,
-                                  uint8_t* is_entry) {
+                                  const double* directions, double t_min, double t_max, const csgcast_monitor* monitor,
+                                  double* t, uint32_t* surfaces, uint8_t* is_entry) {
   return guarded([&] {
     require(model != nullptr && (rays == 0 || t != nullptr), "the model or the place for t is NULL");
-    const HitTable hits = model->model.first_hits(rays_of(rays, origins, directions), between(t_min, t_max));
+    const HitTable hits = model->model.first_hits(rays_of(rays, origins, directions), between(t_min, t_max, monitor));
     std::copy(hits.t.begin(), hits.t.end(), t);
     if (surfaces != nullptr) std::copy(hits.surfaces.begin(), hits.surfaces.end(), surfaces);
     if (is_entry != nullptr) std::copy(hits.is_entry.begin(), hits.is_entry.end(), is_entry);
@@ -229,33 +243,36 @@ csgcast_status csgcast_first_hits(const csgcast_model* model, size_t rays, const
 }
 
 csgcast_status csgcast_any_hits(const csgcast_model* model, size_t rays, const double* origins,
-                                const double* directions, double t_min, double t_max, uint8_t* result) {
+                                const double* directions, double t_min, double t_max, const csgcast_monitor* monitor,
+                                uint8_t* result) {
   return guarded([&] {
     require(model != nullptr && (rays == 0 || result != nullptr), "the model or the place for the result is NULL");
-    const auto hits = model->model.any_hits(rays_of(rays, origins, directions), between(t_min, t_max));
+    const auto hits = model->model.any_hits(rays_of(rays, origins, directions), between(t_min, t_max, monitor));
     std::copy(hits.begin(), hits.end(), result);
   });
 }
 
-csgcast_status csgcast_locate(const csgcast_model* model, size_t points, const double* coordinates, int8_t* result) {
+csgcast_status csgcast_locate(const csgcast_model* model, size_t points, const double* coordinates,
+                              const csgcast_monitor* monitor, int8_t* result) {
   return guarded([&] {
     require(model != nullptr, "the model is NULL");
     require(points == 0 || (coordinates != nullptr && result != nullptr),
             "the points or the place for the result is NULL");
-    const std::vector<Location> found = model->model.locate({coordinates, 3 * points});
+    const std::vector<Location> found =
+        model->model.locate({coordinates, 3 * points}, {.progress = callback_of(monitor)});
     std::transform(found.begin(), found.end(), result, sign_of);
   });
 }
 
 csgcast_status csgcast_measure(const csgcast_model* model, double relative_error, double area_error,
-                               csgcast_measures* result) {
-  return guarded([&] { *result = as_c(measured(model, relative_error, area_error, result).whole); });
+                               const csgcast_monitor* monitor, csgcast_measures* result) {
+  return guarded([&] { *result = as_c(measured(model, relative_error, area_error, monitor, result).whole); });
 }
 
 csgcast_status csgcast_measure_parts(const csgcast_model* model, double relative_error, double area_error,
-                                     csgcast_measures* result) {
+                                     const csgcast_monitor* monitor, csgcast_measures* result) {
   return guarded([&] {
-    const SceneMeasures found = measured(model, relative_error, area_error, result);
+    const SceneMeasures found = measured(model, relative_error, area_error, monitor, result);
     result[0] = as_c(found.whole);
     for (std::size_t i = 0; i < found.parts.size(); ++i) result[i + 1] = as_c(found.parts[i]);
   });

@@ -6,7 +6,7 @@
  *
  * Functions return CSGCAST_OK or an error; then csgcast_last_error() of the same thread says what was wrong, why, and
  * what to do. Numbers of points, origins and directions are 3 x count. A model may be asked by any number of threads at
- * once. Lengths are in the scene's unit. */
+ * once; a call works on all cores. Lengths are in the scene's unit. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -17,8 +17,9 @@ extern "C" {
 
 typedef enum csgcast_status {
   CSGCAST_OK = 0,
-  CSGCAST_FAILED = 1,   /* the machine: no memory */
-  CSGCAST_BAD_INPUT = 2 /* what was given */
+  CSGCAST_FAILED = 1,    /* the machine: no memory */
+  CSGCAST_BAD_INPUT = 2, /* what was given */
+  CSGCAST_CANCELLED = 3  /* a monitor's progress() returned 0: there is no result */
 } csgcast_status;
 
 /* No surface, leaf or part. */
@@ -63,6 +64,20 @@ size_t csgcast_part_count(const csgcast_model* model);
 const char* csgcast_part_name(const csgcast_model* model, size_t part);
 double csgcast_part_density(const csgcast_model* model, size_t part);
 
+/* How far a call is. */
+typedef struct csgcast_progress {
+  double share;          /* of the work that is done, in [0, 1]; it never falls within a call, and is 1 at the end */
+  double relative_error; /* of csgcast_measure(): a volume's error at present, as a share of the volume; else NaN */
+} csgcast_progress;
+
+/* Whom a call tells how far it is: progress(.., data) is called now and then, by any thread, but never by two at once.
+ * If it returns 0 the call ends with CSGCAST_CANCELLED; else it goes on. It must not throw or jump out. Wherever a
+ * monitor is taken NULL is allowed, as is a monitor without progress: nobody is told. */
+typedef struct csgcast_monitor {
+  int (*progress)(const csgcast_progress* progress, void* data);
+  void* data;
+} csgcast_monitor;
+
 /* The intervals of many rays: those of ray i are [offsets[i], offsets[i + 1]). Ends come in pairs, entry and exit: of
  * interval k ends 2 k and 2 k + 1. t is the double nearest to the exact one; infinite, or where the span cut the ray
  * off, with CSGCAST_NONE. Normals are unit and point out of the solid. */
@@ -80,20 +95,22 @@ typedef struct csgcast_intervals {
 
 /* In [t_min, t_max]; 0 and INFINITY for rays, -INFINITY and INFINITY for lines. */
 csgcast_status csgcast_cast(const csgcast_model* model, size_t rays, const double* origins, const double* directions,
-                            double t_min, double t_max, csgcast_intervals* result);
+                            double t_min, double t_max, const csgcast_monitor* monitor, csgcast_intervals* result);
 void csgcast_free_intervals(csgcast_intervals* result);
 
 /* Where rays first cross the boundary in [t_min, t_max], entering or leaving: `rays` numbers each; INFINITY,
  * CSGCAST_NONE and 0 without a hit. surfaces and is_entry may be NULL. */
 csgcast_status csgcast_first_hits(const csgcast_model* model, size_t rays, const double* origins,
-                                  const double* directions, double t_min, double t_max, double* t, uint32_t* surfaces,
-                                  uint8_t* is_entry);
+                                  const double* directions, double t_min, double t_max, const csgcast_monitor* monitor,
+                                  double* t, uint32_t* surfaces, uint8_t* is_entry);
 /* 1 where a ray meets the inside of the solid between t_min and t_max, else 0. */
 csgcast_status csgcast_any_hits(const csgcast_model* model, size_t rays, const double* origins,
-                                const double* directions, double t_min, double t_max, uint8_t* result);
+                                const double* directions, double t_min, double t_max, const csgcast_monitor* monitor,
+                                uint8_t* result);
 
 /* 1 inside, 0 on the boundary, -1 outside: never falsely inside or outside. */
-csgcast_status csgcast_locate(const csgcast_model* model, size_t points, const double* coordinates, int8_t* result);
+csgcast_status csgcast_locate(const csgcast_model* model, size_t points, const double* coordinates,
+                              const csgcast_monitor* monitor, int8_t* result);
 
 /* True values are within the errors. Of a solid that may be unbounded numbers are infinite or none. */
 typedef struct csgcast_measures {
@@ -109,10 +126,10 @@ typedef struct csgcast_measures {
 
 /* Of the whole solid; relative errors of volume and area, such as 1e-6 and 1e-3. */
 csgcast_status csgcast_measure(const csgcast_model* model, double relative_error, double area_error,
-                               csgcast_measures* result);
+                               const csgcast_monitor* monitor, csgcast_measures* result);
 /* The same of the whole solid and of each part: result has room for 1 + csgcast_part_count(model). */
 csgcast_status csgcast_measure_parts(const csgcast_model* model, double relative_error, double area_error,
-                                     csgcast_measures* result);
+                                     const csgcast_monitor* monitor, csgcast_measures* result);
 
 #ifdef __cplusplus
 }

@@ -22,20 +22,38 @@ std::span<const double> triples_from(const Numbers& array, const char* name) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-bool Progress::operator()(double done) {
+namespace {
+
+/// False itself, Python's or numpy's: what else is false, as None or 0, tells nothing.
+bool is_false(const py::object& answer) {
+  if (py::isinstance<py::bool_>(answer)) return !answer.cast<bool>();
+  return py::isinstance(answer, py::module_::import("numpy").attr("bool_")) && PyObject_Not(answer.ptr()) == 1;
+}
+
+}  // namespace
+
+template <class Call>
+bool Callbacks::asked(Call&& call) {
   const py::gil_scoped_acquire lock;
   if (error_) return false;
   try {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (!callback_.is_none()) callback_(done);
+    return call();
   } catch (py::error_already_set& error) {
     error_ = error;
+    return false;
   }
-  return !error_;
 }
 
-void Progress::rethrow() {
-  if (error_) throw py::error_already_set(*error_);
+ProgressCallback Callbacks::progress() {
+  return [this](const csgcast::Progress& progress) {
+    return asked([&] { return progress_.is_none() || !is_false(progress_(progress.share)); });
+  };
+}
+
+std::function<bool(double)> Callbacks::question(const py::object& callable) {
+  if (callable.is_none()) return {};
+  return [this, &callable](double number) { return asked([&] { return py::bool_(callable(number)).cast<bool>(); }); };
 }
 
 }  // namespace csgcast::python

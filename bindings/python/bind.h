@@ -4,12 +4,14 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "csg/base/progress.h"
 #include "csg/base/vector.h"
 
 namespace csgcast::python {
@@ -42,19 +44,37 @@ py::array array_of(std::vector<T>&& values, std::vector<py::ssize_t> shape) {
   return py::array_t<As>(std::move(shape), data, capsule);
 }
 
-/// Asks Python now and then, while a query runs without its lock, whether to go on: an interrupt ends it, and so does a
-/// callback that raises.
-class Progress {
+/// Calls back into Python while a call runs without its lock. An interrupt cancels the call, and so does a callback
+/// that returns False or raises.
+class Callbacks {
  public:
-  explicit Progress(py::object callback) : callback_(std::move(callback)) {}
+  explicit Callbacks(py::object progress) : progress_(std::move(progress)) {}
 
-  /// Safe to call from any thread.
-  bool operator()(double done);
-  /// Once the lock is held again: throws what ended the query.
-  void rethrow();
+  ProgressCallback progress();
+  /// Asks a callable about a number; None says no.
+  std::function<bool(double)> question(const py::object& callable);
+
+  /// Calls `work` without Python's lock. Throws what a callback raised, an interrupt, or what the work throws.
+  template <class Work>
+  auto run(Work&& work) {
+    std::optional<decltype(work())> result;
+    try {
+      const py::gil_scoped_release unlocked;
+      result.emplace(work());
+    } catch (const Cancelled&) {
+      if (error_) throw py::error_already_set(*error_);
+      throw;
+    }
+    if (error_) throw py::error_already_set(*error_);
+    return std::move(*result);
+  }
 
  private:
-  py::object callback_;
+  /// `call()`, with the lock; false if that raises, now or before.
+  template <class Call>
+  bool asked(Call&& call);
+
+  py::object progress_;
   std::optional<py::error_already_set> error_;
 };
 

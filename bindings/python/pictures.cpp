@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bindings/python/bind.h"
+#include "csg/base/whole_file.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/statement/solid_text.h"
 #include "csg/text/syntax/reader.h"
@@ -82,20 +83,12 @@ Film picture(const Model& model, const SceneDescription& description, int width,
   options.mode = mode_named(mode);
   SceneDescription seen = description;
   if (!camera.is_none()) seen.camera = camera_from(camera.cast<py::dict>());
-  Progress progress(std::move(callback));
-  options.progress = [&](double done) {
-    if (!progress(done)) throw Cancelled();
-  };
-  std::optional<Film> film;
-  try {
-    const py::gil_scoped_release unlocked;
+  Callbacks callbacks(std::move(callback));
+  options.progress = callbacks.progress();
+  return callbacks.run([&] {
     const double aspect = static_cast<double>(width) / std::max(height, 1);
-    film = render(model.scene(), make_view(seen, model.scene(), aspect), options);
-  } catch (const Cancelled&) {
-  }
-  progress.rethrow();
-  if (!film) throw Cancelled();
-  return std::move(*film);
+    return render(model.scene(), make_view(seen, model.scene(), aspect), options);
+  });
 }
 
 py::array as_array(const Film& film) {
@@ -120,6 +113,11 @@ void bind_pictures(py::module_& m) {
   m.def("_load", load, "path"_a, "facets"_a);
   m.def("_read", read_text, "text"_a, "facets"_a);
   m.def("_text_of", [](const Solid& solid) { return text::write(text::document_of(solid)); });
+  m.def("_save_text", [](const Solid& solid, const std::string& path) {
+    WholeFile file(path);
+    file.write(text::write(text::document_of(solid)));
+    file.commit();
+  });
   m.def("_render", [](const Model& model, const SceneDescription& description, int width, int height, int samples,
                       const std::string& mode, const py::object& camera, py::object callback) {
     return as_array(picture(model, description, width, height, samples, mode, camera, std::move(callback)));

@@ -50,31 +50,16 @@ struct SpanOptions {
   Span span() const { return line ? Span::line() : Span{t_min, t_max}; }
 };
 
-/// Runs a query without Python's lock.
-template <class Query>
-auto without_lock(Progress& progress, QueryOptions& options, Query&& query) {
-  options.goes_on = [&](double done) { return progress(done); };
-  using Result = decltype(query());
-  std::optional<Result> result;
-  try {
-    const py::gil_scoped_release unlocked;
-    result = query();
-  } catch (const Cancelled&) {
-  }
-  progress.rethrow();
-  if (!result) throw Cancelled();
-  return std::move(*result);
-}
-
 py::dict intervals(const Model& model, const Numbers& origins, const Numbers& directions, double t_min, double t_max,
                    bool line, bool faces, bool normals, py::object callback) {
   const RayInput input(origins, directions);
-  Progress progress(std::move(callback));
+  Callbacks callbacks(std::move(callback));
   QueryOptions options;
+  options.progress = callbacks.progress();
   options.span = SpanOptions{t_min, t_max, line}.span();
   options.faces = faces;
   options.normals = normals;
-  IntervalTable table = without_lock(progress, options, [&] { return model.intervals(input.rays(), options); });
+  IntervalTable table = callbacks.run([&] { return model.intervals(input.rays(), options); });
   const auto count = static_cast<py::ssize_t>(table.count());
   py::dict result;
   result["offsets"] = array_of<std::uint64_t>(std::move(table.offsets), {input.count() + 1});
@@ -89,10 +74,11 @@ py::dict intervals(const Model& model, const Numbers& origins, const Numbers& di
 py::tuple first_hits(const Model& model, const Numbers& origins, const Numbers& directions, double t_min, double t_max,
                      py::object callback) {
   const RayInput input(origins, directions);
-  Progress progress(std::move(callback));
+  Callbacks callbacks(std::move(callback));
   QueryOptions options;
+  options.progress = callbacks.progress();
   options.span = {t_min, t_max};
-  HitTable table = without_lock(progress, options, [&] { return model.first_hits(input.rays(), options); });
+  HitTable table = callbacks.run([&] { return model.first_hits(input.rays(), options); });
   return py::make_tuple(array_of<double>(std::move(table.t), {input.count()}),
                         array_of<std::int32_t>(std::move(table.surfaces), {input.count()}),
                         array_of<bool>(std::move(table.is_entry), {input.count()}));
@@ -101,19 +87,20 @@ py::tuple first_hits(const Model& model, const Numbers& origins, const Numbers& 
 py::array any_hits(const Model& model, const Numbers& origins, const Numbers& directions, double t_min, double t_max,
                    py::object callback) {
   const RayInput input(origins, directions);
-  Progress progress(std::move(callback));
+  Callbacks callbacks(std::move(callback));
   QueryOptions options;
+  options.progress = callbacks.progress();
   options.span = {t_min, t_max};
-  return array_of<bool>(without_lock(progress, options, [&] { return model.any_hits(input.rays(), options); }),
-                        {input.count()});
+  return array_of<bool>(callbacks.run([&] { return model.any_hits(input.rays(), options); }), {input.count()});
 }
 
 /// 1 inside, 0 on the boundary, -1 outside.
 py::array locate(const Model& model, const Numbers& points, py::object callback) {
   const auto numbers = triples_from(points, "points");
-  Progress progress(std::move(callback));
+  Callbacks callbacks(std::move(callback));
   QueryOptions options;
-  const std::vector<Location> found = without_lock(progress, options, [&] { return model.locate(numbers, options); });
+  options.progress = callbacks.progress();
+  const std::vector<Location> found = callbacks.run([&] { return model.locate(numbers, options); });
   std::vector<std::int8_t> signs(found.size());
   std::transform(found.begin(), found.end(), signs.begin(), sign_of);
   const auto count = static_cast<py::ssize_t>(signs.size());
@@ -149,18 +136,15 @@ py::dict measures_dict(const Measures& m) {
   return d;
 }
 
-py::dict measure_model(const Model& model, double relative_error, double area_error, py::object callback) {
-  Progress progress(std::move(callback));
+py::dict measure_model(const Model& model, double relative_error, double area_error, py::object callback,
+                       const py::object& enough) {
+  Callbacks callbacks(std::move(callback));
   MeasureOptions options;
   options.relative_error = relative_error;
   options.relative_area_error = area_error;
-  options.goes_on = [&](double error) { return progress(error); };
-  SceneMeasures measures;
-  {
-    const py::gil_scoped_release unlocked;
-    measures = measure(model.scene(), options);
-  }
-  progress.rethrow();
+  options.progress = callbacks.progress();
+  options.is_enough = callbacks.question(enough);
+  const SceneMeasures measures = callbacks.run([&] { return measure(model.scene(), options); });
   py::dict result = measures_dict(measures.whole);
   py::list parts;
   for (std::size_t i = 0; i < measures.parts.size(); ++i) {

@@ -29,15 +29,14 @@ py::tuple loop_arrays(const SectionLoop& loop) {
                         array_of<std::int32_t>(std::move(surfaces), {count}));
 }
 
-py::dict cut(const Model& model, const py::object& normal, double distance, double relative_error) {
+py::dict cut(const Model& model, const py::object& normal, double distance, double relative_error,
+             py::object callback) {
   const Plane plane{vector_from(normal, "normal"), distance};
   SectionOptions options;
   options.relative_error = relative_error;
-  Section s;
-  {
-    const py::gil_scoped_release unlocked;
-    s = section(model.scene(), plane, options);
-  }
+  Callbacks callbacks(std::move(callback));
+  options.progress = callbacks.progress();
+  const Section s = callbacks.run([&] { return section(model.scene(), plane, options); });
   py::list loops;
   for (const SectionLoop& loop : s.loops) loops.append(loop_arrays(loop));
   py::dict d;
@@ -57,15 +56,10 @@ py::dict cut(const Model& model, const py::object& normal, double distance, doub
 
 py::dict checked(const Model& model, py::object callback) {
   const Scene& scene = model.scene();
-  Progress progress(std::move(callback));
+  Callbacks callbacks(std::move(callback));
   CheckOptions options;
-  options.goes_on = [&](double done) { return progress(done); };
-  CheckReport report;
-  {
-    const py::gil_scoped_release unlocked;
-    report = check(scene, options);
-  }
-  progress.rethrow();
+  options.progress = callbacks.progress();
+  const CheckReport report = callbacks.run([&] { return check(scene, options); });
   const auto name = [&](PartId part) { return scene.parts()[part.index()].name.name; };
   py::dict d;
   py::list overlaps, undecided, unbounded, empty, redundant;
@@ -92,13 +86,10 @@ py::dict checked(const Model& model, py::object callback) {
 }
 
 /// The thickness, place, normal and leaf; None if there is no such place.
-py::object thinnest(const Model& model, std::size_t samples) {
+py::object thinnest(const Model& model, std::size_t samples, py::object callback) {
   if (samples == 0 || samples > 16384) throw py::value_error("samples must be between 1 and 16384");
-  std::optional<ThinPlace> found;
-  {
-    const py::gil_scoped_release unlocked;
-    found = find_thinnest(model.cells(), samples);
-  }
+  Callbacks callbacks(std::move(callback));
+  const auto found = callbacks.run([&] { return find_thinnest(model.cells(), samples, callbacks.progress()); });
   if (!found) return py::none();
   return py::make_tuple(found->thickness, vector_array(as_vector(found->place)), vector_array(as_vector(found->normal)),
                         found->leaf.index());

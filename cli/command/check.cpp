@@ -12,6 +12,7 @@
 #include "cli/output/weld_lines.h"
 #include "csg/base/number_text.h"
 #include "measure/check.h"
+#include "raycast/packets/threads.h"
 
 namespace csgcast::cli {
 namespace {
@@ -118,12 +119,9 @@ void run(const CheckCommand& command) {
   const SceneInput input = read_scene(scene_options);
   CheckReport report;
   {
-    Progress bar("checking", command.scene.progress());
+    ProgressBar bar("checking", command.scene.progress());
     CheckOptions job;
-    job.goes_on = [&](double done) {
-      bar.update(done);
-      return true;
-    };
+    job.progress = bar.callback();
     report = check(input.scene, job);
   }
   output.write(command.format == Format::json ? as_json(input.scene, report) : as_text(input.scene, report));
@@ -146,7 +144,7 @@ Command check_command(CLI::App& program) {
       "Example:\n"
       "  csgcast check assembly.csg\n"
       "  csgcast check assembly.csg --format json -o report.json");
-  return {line, [options] { run(*options); }};
+  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
 }
 
 }  // namespace csgcast::cli

@@ -12,6 +12,7 @@
 #include "cli/output/scene_summary.h"
 #include "cli/output/weld_lines.h"
 #include "csg/base/number_text.h"
+#include "raycast/packets/threads.h"
 
 namespace csgcast::cli {
 namespace {
@@ -218,7 +219,7 @@ Command info_command(CLI::App& program) {
       "Example:\n"
       "  csgcast info part.csg\n"
       "  csgcast info part.csg --format json");
-  return {line, [options] { run(*options); }};
+  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
 }
 
 }  // namespace csgcast::cli

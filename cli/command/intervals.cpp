@@ -10,8 +10,10 @@
 #include "cli/input/distinct_files.h"
 #include "cli/input/rows_option.h"
 #include "cli/output/interval_report.h"
+#include "csg/base/precondition.h"
 #include "raycast/cells/cells.h"
 #include "raycast/packets/packet_caster.h"
+#include "raycast/packets/threads.h"
 #include "raycast/ray/caster.h"
 
 namespace csgcast::cli {
@@ -51,6 +53,7 @@ class IntervalWorker {
                  By by)
       : caster_(scene), report_(report), rows_(rows), span_(span), by_(by) {
     if (cells != nullptr) packets_.emplace(*cells, PacketCaster::Width::single);
+    CSGCAST_PRECONDITION(cells == nullptr || (by == By::scene && (span.from == 0 || std::isinf(span.from))));
   }
 
   /// Whether cells can answer, and take less time to be made than they save.
@@ -169,7 +172,7 @@ void run(const IntervalsOptions& options) {
   std::optional<Cells> cells;
   if (IntervalWorker::suits(input.scene, options.rays, span, options.by)) cells.emplace(input.scene);
   output.write(report.head());
-  answer_rows([&](NumberRow& row) { return rows.next(row); }, output, thread_count(options.scene),
+  answer_rows([&](NumberRow& row) { return rows.next(row); }, output,
               [&] { return IntervalWorker(input.scene, cells ? &*cells : nullptr, report, rows, span, options.by); });
   output.write(report.tail());
   output.commit();
@@ -202,7 +205,7 @@ Command intervals_command(CLI::App& program) {
       "Example:\n"
       "  csgcast intervals part.csg --ray 0,0,100,0,0,-1\n"
       "  csgcast intervals part.csg --rays rays.csv --format csv -o intervals.csv");
-  return {line, [options] { run(*options); }};
+  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
 }
 
 }  // namespace csgcast::cli

@@ -8,6 +8,7 @@
 #include "cli/output/json.h"
 #include "cli/output/printable.h"
 #include "csg/base/number_text.h"
+#include "raycast/packets/threads.h"
 #include "raycast/ray/caster.h"
 
 namespace csgcast::cli {
@@ -102,7 +103,7 @@ void run(const LocateOptions& options) {
   Output output(options.output);
   const SceneInput input = read_scene(options.scene);
   output.write(head(options.format));
-  answer_rows([&](NumberRow& row) { return rows.next(row); }, output, thread_count(options.scene),
+  answer_rows([&](NumberRow& row) { return rows.next(row); }, output,
               [&] { return LocateWorker(input.scene, options.format); });
   output.write(options.format == Format::json ? "\n]}\n" : "");
   output.commit();
@@ -124,7 +125,7 @@ Command locate_command(CLI::App& program) {
       "Example:\n"
       "  csgcast locate part.csg --point 1,2,3\n"
       "  csgcast locate part.csg --points points.csv --format csv -o where.csv");
-  return {line, [options] { run(*options); }};
+  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
 }
 
 }  // namespace csgcast::cli

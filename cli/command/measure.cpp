@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include "cli/output/stopwatch.h"
 #include "csg/base/number_text.h"
 #include "measure/measure.h"
+#include "raycast/packets/threads.h"
 
 namespace csgcast::cli {
 namespace {
@@ -150,15 +149,9 @@ void run(const MeasureCommand& command) {
   const Stopwatch watch;
   SceneMeasures measures;
   {
-    Progress bar("measuring", command.scene.progress());
-    // From an error of all to that asked for, digit by digit.
-    const double digits = std::log10(job.relative_error);
-    job.goes_on = [&](double error) {
-      bar.update(std::clamp(std::log10(std::fmin(error, 1)) / digits, 0.0, 1.0));
-      return true;
-    };
-    tbb::task_arena arena(thread_count(command.scene));
-    arena.execute([&] { measures = measure(input.scene, job); });
+    ProgressBar bar("measuring", command.scene.progress());
+    job.progress = bar.callback();
+    measures = measure(input.scene, job);
   }
   output.write(command.format == Format::json ? as_json(input.scene, measures, watch.seconds())
                                               : as_text(input.scene, measures));
@@ -188,7 +181,7 @@ Command measure_command(CLI::App& program) {
       "Example:\n"
       "  csgcast measure part.csg\n"
       "  csgcast measure part.csg --relative-error 1e-8 --format json -o part.json");
-  return {line, [options] { run(*options); }};
+  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
 }
 
 }  // namespace csgcast::cli

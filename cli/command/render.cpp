@@ -14,6 +14,7 @@
 #include "cli/output/output.h"
 #include "cli/output/render_stats.h"
 #include "cli/output/stopwatch.h"
+#include "raycast/packets/threads.h"
 #include "shade/picture/image_file.h"
 
 namespace csgcast::cli {
@@ -77,7 +78,6 @@ Sampling adaptive_sampling(const RenderOptions& options) {
 
 Job check(const RenderCommandOptions& options) {
   Job job{options.render, {}, {}};
-  job.render.threads = thread_count(options.scene);
   std::tie(job.render.width, job.render.height) = parse_pair("--size", options.size, 'x', 1, largest_side);
   job.render.samples = parse_count("--samples", options.samples, 1, most_samples);
   if (options.adaptive) job.render.sampling = adaptive_sampling(job.render);
@@ -101,38 +101,40 @@ Job check(const RenderCommandOptions& options) {
     return job;
   }
   check_image_path(options.output);
-  check_writable(options.output);
-  if (!options.stats.empty()) check_writable(options.stats);
   return job;
 }
 
-/// What goes wrong now is the machine's fault: the path was found writable before.
-void write_picture(const Film& film, const std::string& path) {
-  try {
-    write_image(film, path);
-  } catch (const Error& error) {
-    throw MachineError(error.what());
+/// The files of a picture, open from the beginning.
+struct PictureFiles {
+  explicit PictureFiles(const RenderCommandOptions& options) : picture(options.output) {
+    if (!options.stats.empty()) stats.emplace(options.stats);
   }
-}
 
-void render_picture(const RenderCommandOptions& options, Job& job, const SceneInput& input, const View& view) {
+  Output picture;
+  std::optional<Output> stats;
+};
+
+void render_picture(const RenderCommandOptions& options, Job& job, const SceneInput& input, const View& view,
+                    PictureFiles& files) {
   RenderReport report;
-  std::optional<Progress> progress(std::in_place, "render", options.scene.progress());
-  job.render.progress = [&](double done) { progress->update(done); };
+  std::optional<ProgressBar> bar(std::in_place, "render", options.scene.progress());
+  job.render.progress = bar->callback();
   const Film film = render(input.scene, view, job.render, &report);
-  progress.reset();
+  bar.reset();
   const Stopwatch write_watch;
-  write_picture(film, options.output);
-  if (options.stats.empty()) return;
-  Output stats(options.stats);
-  stats.write(render_stats(
+  files.picture.write(image_bytes(film, options.output));
+  files.picture.commit();
+  if (!files.stats) return;
+  files.stats->write(render_stats(
       job.render, report,
       {input.read_seconds, input.compile_seconds, report.cells_seconds, report.seconds, write_watch.seconds()}));
-  stats.commit();
+  files.stats->commit();
 }
 
 void run(const RenderCommandOptions& options) {
   Job job = check(options);
+  std::optional<PictureFiles> files;
+  if (!options.output.empty()) files.emplace(options);
   SceneInput input = read_scene(options.scene);
   if (job.camera) input.description.camera = job.camera;
   const View view = make_view(input.description, input.scene, double(job.render.width) / job.render.height);
@@ -141,7 +143,7 @@ void run(const RenderCommandOptions& options) {
     output.write(trace_pixel(input.scene, view, job.render, job.pixel->first, job.pixel->second));
     output.commit();
   }
-  if (!options.output.empty()) render_picture(options, job, input, view);
+  if (files) render_picture(options, job, input, view, *files);
 }
 
 }  // namespace
@@ -176,7 +178,7 @@ Command render_command(CLI::App& program) {
       "Example:\n"
       "  csgcast render part.csg -o part.png\n"
       "  csgcast render part.csg -o part.exr --size 1920x1080 --samples 9 --camera 80,-120,60,0,0,0 --stats part.json");
-  return {line, [options] { run(*options); }};
+  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
 }
 
 }  // namespace csgcast::cli

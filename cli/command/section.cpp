@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <tbb/task_arena.h>
-
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
@@ -13,6 +10,7 @@
 #include "cli/output/section_image.h"
 #include "measure/section.h"
 #include "measure/section_svg.h"
+#include "raycast/packets/threads.h"
 #include "shade/picture/image_file.h"
 
 namespace csgcast::cli {
@@ -77,23 +75,24 @@ void run(const SectionCommand& command) {
   if (!is_drawing && !is_image && !command.output.empty() && !ends_with(command.output, ".json"))
     throw UsageError(fmt::format("-o {} has an unknown ending (known are .svg, .png, .json)", command.output));
   check_distinct(std::array{NamedFile{"the scene", command.scene.path}}, std::array{NamedFile{"-o", command.output}});
-  std::optional<Output> output;
-  if (is_image) {
-    check_writable(command.output);
-  } else {
-    output.emplace(command.output);
-  }
+  Output output(command.output);
   const SceneInput input = read_scene(command.scene);
-  tbb::task_arena arena(thread_count(command.scene));
-  const Section cut = arena.execute([&] { return section(input.scene, plane, job); });
+  Section cut;
+  {
+    ProgressBar bar("cutting", command.scene.progress());
+    job.progress = bar.callback();
+    cut = section(input.scene, plane, job);
+  }
   if ((is_drawing || is_image) && !cut.is_bounded)
     throw UsageError(
         "the solid may be unbounded: there is no picture of its section; intersect it with a box, or take parts of it "
         "alone (--part)");
-  if (is_image)
-    return write_image(arena.execute([&] { return section_image(input.scene, plane, cut, pixels); }), command.output);
-  output->write(is_drawing ? section_svg(cut, picture_tolerance(cut)) : as_json(cut));
-  output->commit();
+  if (is_image) {
+    output.write(image_bytes(section_image(input.scene, plane, cut, pixels), command.output));
+  } else {
+    output.write(is_drawing ? section_svg(cut, picture_tolerance(cut)) : as_json(cut));
+  }
+  output.commit();
 }
 
 }  // namespace
@@ -117,7 +116,7 @@ Command section_command(CLI::App& program) {
       "Example:\n"
       "  csgcast section part.csg --plane 0,0,1,2.5 -o cut.svg\n"
       "  csgcast section part.csg --plane 1,0,0,0 -o cut.json");
-  return {line, [options] { run(*options); }};
+  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
 }
 
 }  // namespace csgcast::cli

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <array>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "cli/output/output.h"
 #include "csg/base/number_text.h"
 #include "measure/thickness.h"
+#include "raycast/packets/threads.h"
 #include "shade/film/camera.h"
 #include "shade/film/view.h"
 #include "shade/picture/image_file.h"
@@ -41,10 +41,9 @@ Film thickness_map(const Cells& cells, const View& view, int width, int height) 
     std::array<std::vector<double>, 6> numbers;
     for (auto& column : numbers) column.resize(count);
     RayArrays rays;
-    rays.count = count;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      rays.origin[axis] = numbers[axis].data();
-      rays.direction[axis] = numbers[3 + axis].data();
+      rays.origin[axis] = numbers[axis];
+      rays.direction[axis] = numbers[3 + axis];
     }
     for (int x = 0; x < width; ++x) {
       const Ray ray = camera.ray(x + 0.5, y + 0.5);
@@ -55,7 +54,7 @@ Film thickness_map(const Cells& cells, const View& view, int width, int height) 
     }
     std::vector<double> thickness(count);
     ThicknessProbe probe(cells);
-    probe.first_faces(rays, thickness.data());
+    probe.first_faces(rays, thickness);
     for (int x = 0; x < width; ++x) film.value(x, y) = static_cast<float>(thickness[static_cast<std::size_t>(x)]);
   });
   return film;
@@ -90,18 +89,22 @@ void run(const ThicknessCommand& command) {
   if (!command.output.empty()) {
     check_image_path(command.output);
     check_distinct(std::array{NamedFile{"the scene", command.scene.path}}, std::array{NamedFile{"-o", command.output}});
-    check_writable(command.output);
   }
+  std::optional<Output> map;
+  if (!command.output.empty()) map.emplace(command.output);
   SceneInput input = read_scene(command.scene);
   if (camera) input.description.camera = camera;
-  tbb::task_arena arena(thread_count(command.scene));
-  const Cells cells = arena.execute([&] { return Cells(input.scene); });
-  if (!command.output.empty()) {
+  const Cells cells(input.scene);
+  if (map) {
     const View view = make_view(input.description, input.scene, static_cast<double>(width) / height);
-    const Film film = arena.execute([&, w = width, h = height] { return thickness_map(cells, view, w, h); });
-    write_image(film, command.output);
+    map->write(image_bytes(thickness_map(cells, view, width, height), command.output));
+    map->commit();
   }
-  const auto thinnest = arena.execute([&] { return find_thinnest(cells, static_cast<std::size_t>(samples)); });
+  std::optional<ThinPlace> thinnest;
+  {
+    ProgressBar bar("looking for the thinnest place", command.scene.progress());
+    thinnest = find_thinnest(cells, static_cast<std::size_t>(samples), bar.callback());
+  }
   Output output("");
   output.write(command.format == Format::json ? as_json(input.scene, thinnest) : as_text(input.scene, thinnest));
   output.commit();
@@ -129,7 +132,7 @@ Command thickness_command(CLI::App& program) {
       "Example:\n"
       "  csgcast thickness part.csg\n"
       "  csgcast thickness part.csg -o thickness.exr --size 1920x1080");
-  return {line, [options] { run(*options); }};
+  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
 }
 
 }  // namespace csgcast::cli

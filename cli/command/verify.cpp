@@ -11,6 +11,7 @@
 #include "cli/output/printable.h"
 #include "cli/output/table.h"
 #include "csg/base/number_text.h"
+#include "raycast/packets/threads.h"
 #include "verify/verification.h"
 
 namespace csgcast::cli {
@@ -121,11 +122,10 @@ void run(const VerifyOptions& options) {
   Output output(options.output);
   const SceneInput input = read_scene(options.scene);
   job.rays = rays ? *rays : verify::moderate_ray_count(input.scene);
-  job.threads = thread_count(options.scene);
   VerificationReport report;
   {
-    Progress bar("verifying", options.scene.progress());
-    job.progress = [&](double done) { bar.update(done); };
+    ProgressBar bar("verifying", options.scene.progress());
+    job.progress = bar.callback();
     report = verify::verify_scene(input.scene, job);
   }
   output.write(options.format == Format::json ? as_json(report, job.seed, options.scene)
@@ -165,7 +165,7 @@ Command verify_command(CLI::App& program) {
       "Example:\n"
       "  csgcast verify part.csg\n"
       "  csgcast verify part.csg --rays 1000000 --seed 2 --format json -o report.json");
-  return {line, [options] { run(*options); }};
+  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
 }
 
 }  // namespace csgcast::cli

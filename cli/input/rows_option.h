@@ -11,7 +11,7 @@
 #include "cli/input/number_rows.h"
 #include "cli/input/row_pipeline.h"
 #include "cli/input/scene_input.h"
-#include "cli/output/progress.h"
+#include "cli/output/progress_bar.h"
 
 namespace csgcast::cli {
 
@@ -43,7 +43,7 @@ class Rows {
 
  private:
   const RowsOption& option_;
-  Progress progress_;
+  ProgressBar progress_;
   std::unique_ptr<NumberRows> file_;
   std::vector<double> single_;
 };

@@ -2,7 +2,6 @@
 #include "cli/input/scene_input.h"
 
 #include <fmt/format.h>
-#include <tbb/info.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -83,10 +82,6 @@ void add_scene_options(CLI::App& line, SceneOptions& options) {
           "How many threads work (default: one a core)")
       ->type_name("N");
   line.add_flag("-q,--quiet", options.quiet, "No progress bar and no warnings");
-}
-
-int thread_count(const SceneOptions& options) {
-  return options.threads > 0 ? options.threads : tbb::info::default_concurrency();
 }
 
 DocumentInput read_document(const SceneOptions& options) {

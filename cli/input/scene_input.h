@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/output/progress.h"
+#include "cli/output/progress_bar.h"
 #include "csg/solid/scene_description.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/syntax/syntax.h"
@@ -20,18 +20,15 @@ struct SceneOptions {
   text::Facets facets = text::Facets::automatic;
   Welding welding = Welding::derived();
   std::vector<std::string> parts;  ///< those that are all there is; none: the whole scene
-  int threads = 0;                 ///< 0: all cores
+  int threads = 0;                 ///< on_threads() of all that the command does; 0: a thread a core
   bool quiet = false;
 
-  Progress::Show progress() const { return quiet ? Progress::Show::never : Progress::Show::if_terminal; }
+  ProgressBar::Show progress() const { return quiet ? ProgressBar::Show::never : ProgressBar::Show::if_terminal; }
 };
 
 /// Adds the scene's place on the command line, --facets, --weld, --part, --threads and --quiet. `options` must live as
 /// long as `line`.
 void add_scene_options(CLI::App& line, SceneOptions& options);
-
-/// The number of threads to use: what was asked for, else one for each core that the process may use.
-int thread_count(const SceneOptions& options);
 
 /// A scene ready to be asked, and how long that took.
 struct SceneInput {

@@ -2,6 +2,7 @@
 #include "cli/output/render_stats.h"
 
 #include "cli/output/json.h"
+#include "raycast/packets/threads.h"
 
 namespace csgcast::cli {
 
@@ -10,7 +11,7 @@ std::string render_stats(const RenderOptions& options, const RenderReport& repor
   Json json(out);
   json.begin_object();
   json.member("width", std::uint64_t(options.width)).member("height", std::uint64_t(options.height));
-  json.member("threads", std::uint64_t(options.threads));
+  json.member("threads", std::uint64_t(thread_count()));
   json.key("rays").begin_object().member("primary", report.rays.primary).member("shadow", report.rays.shadow);
   json.member("reflection", report.rays.reflection).member("transmission", report.rays.transmission).end_object();
   json.member("refined_pixels", report.refined_pixels);

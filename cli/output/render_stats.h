@@ -15,7 +15,7 @@ struct StageSeconds {
   double write = 0;
 };
 
-/// What `render --stats` writes, as JSON.
+/// What `render --stats` writes, as JSON. Called where the picture was made: it tells how many threads there are.
 std::string render_stats(const RenderOptions& options, const RenderReport& report, const StageSeconds& seconds);
 
 }  // namespace csgcast::cli

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/precondition.h"
 #include "csg/base/vector.h"
 
 namespace csgcast {
@@ -17,6 +18,7 @@ double length(Triple<Tag> a) {
 /// The magnitude of the longest coordinate. Precondition: none is NaN.
 template <class Tag>
 double longest(Triple<Tag> a) {
+  CSGCAST_PRECONDITION(!std::isnan(a.x) && !std::isnan(a.y) && !std::isnan(a.z));
   return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
 }
 

@@ -2,14 +2,59 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace csgcast {
 
-/// Writes a file that appears whole or not at all: beside its target (where symbolic links lead, even if nothing is
-/// there yet), then renamed. On failure throws Error(input_output), removes what was written and leaves an existing
-/// file as it was.
-void write_whole_file(const std::string& path, std::span<const std::byte> bytes);
+/// A file that is being written and appears whole or not at all.
+///
+/// It is written beside its target under another name, `.csgcast-..`, which commit() changes to the target's. Until
+/// then, and if it never comes to that, an older file stays as it was; nothing else is left behind, not after an
+/// exception, and not after a signal whose handler calls remove_unfinished_files(). An older file's permissions are
+/// kept. Links are followed, also to a file that does not exist yet. What is no regular file (a device, a pipe) is
+/// written to directly.
+///
+/// For one thread at a time.
+class WholeFile {
+ public:
+  /// Throws Error(input_output) if the path cannot be written (no such folder, no permission, a folder), Error(machine)
+  /// if the disk is full.
+  explicit WholeFile(const std::string& path);
+  ~WholeFile();
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+
+  /// As it was given.
+  const std::string& path() const { return path_; }
+
+  /// Throws Error(machine) if the data cannot be written.
+  void write(std::string_view data);
+  void write(std::span<const std::byte> data);
+  /// Ends the file and gives it its name. Nothing may be written after it. Throws Error(machine).
+  void commit();
+
+  /// The last write failed because the path is a pipe that nobody reads any more.
+  bool has_lost_reader() const { return has_lost_reader_; }
+
+ private:
+  struct Unfinished;
+
+  void open_beside(std::optional<unsigned> permissions);
+  [[noreturn]] void fail(int error);
+  friend void remove_unfinished_files() noexcept;
+
+  std::string path_;
+  std::string target_;                // with links followed
+  Unfinished* unfinished_ = nullptr;  // the file beside the target; null if the target is written to directly
+  int file_ = -1;
+  bool has_lost_reader_ = false;
+};
+
+/// Removes what any WholeFile of the process has written and not committed. Safe in a signal handler, for a program
+/// that is about to end: the library handles no signals itself.
+void remove_unfinished_files() noexcept;
 
 }  // namespace csgcast

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "csg/base/precondition.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -11,6 +13,7 @@ constexpr std::int64_t working_bits = 128;
 }  // namespace
 
 Dyadic quotient(const Dyadic& dividend, const Dyadic& divisor, Toward toward) {
+  CSGCAST_PRECONDITION(!divisor.is_zero());
   if (dividend.is_zero()) return {};
   // Shift the dividend so that the integer quotient has more than working_bits bits.
   const auto gap = static_cast<std::int64_t>(divisor.bits()) - static_cast<std::int64_t>(dividend.bits());
@@ -23,6 +26,7 @@ Dyadic quotient(const Dyadic& dividend, const Dyadic& divisor, Toward toward) {
 }
 
 Dyadic square_root(const Dyadic& value, Toward toward) {
+  CSGCAST_PRECONDITION(value.sign() >= 0);
   if (value.is_zero()) return {};
   // An even exponent, and twice working_bits bits under the root.
   std::int64_t shift = std::max<std::int64_t>(0, 2 * working_bits + 2 - static_cast<std::int64_t>(value.bits()));

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "csg/base/precondition.h"
+
 namespace csgcast {
 namespace {
 
@@ -22,6 +24,8 @@ struct Truncated {
 
 // magnitude * 2^exponent. Precondition: that is a double.
 double scaled_double(std::uint64_t magnitude, std::int64_t exponent) {
+  [[maybe_unused]] const auto bits = static_cast<std::int64_t>(std::bit_width(magnitude));
+  CSGCAST_PRECONDITION(bits <= 53 && exponent >= -1074 && bits + exponent <= 1024);
   constexpr std::int64_t bias = 1023;
   if (exponent <= -bias || exponent > bias)
     return std::ldexp(static_cast<double>(magnitude), static_cast<int>(exponent));
@@ -104,6 +108,7 @@ class Dyadic::MantissaView {
 };
 
 Dyadic::Dyadic(double value) {
+  CSGCAST_PRECONDITION(std::isfinite(value));
   if (value == 0) return;
   constexpr int fraction_bits = 52;
   constexpr std::uint64_t implicit_one = std::uint64_t{1} << fraction_bits;
@@ -164,6 +169,7 @@ std::size_t Dyadic::hash() const {
 }
 
 Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b) {
+  CSGCAST_PRECONDITION(!a.is_zero() && !b.is_zero());
   const bool subtract = sign_of_b == Sign::minus;
   const bool a_is_high = a.exponent_ >= b.exponent_;
   const Dyadic& high = a_is_high ? a : b;
@@ -190,6 +196,7 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b) {
 }
 
 Dyadic Dyadic::product(const Dyadic& a, const Dyadic& b) {
+  CSGCAST_PRECONDITION(!a.is_zero() && !b.is_zero());
   const auto fits_a_word = [](Small value) { return value == static_cast<std::int64_t>(value); };
   if (!a.large_ && !b.large_ && fits_a_word(a.small_) && fits_a_word(b.small_)) {
     Dyadic result;  // a product of odd numbers is odd
@@ -235,6 +242,7 @@ Dyadic common_divisor(const Dyadic& a, const Dyadic& b) {
 }
 
 Dyadic exact_quotient(const Dyadic& a, const Dyadic& b) {
+  CSGCAST_PRECONDITION(!b.is_zero() && mpz_divisible_p(Dyadic::MantissaView(a), Dyadic::MantissaView(b)) != 0);
   if (!a.large_ && !b.large_) return {a.small_ / b.small_, a.exponent_ - b.exponent_, nullptr};
   mpz_class quotient;
   mpz_divexact(quotient.get_mpz_t(), Dyadic::MantissaView(a), Dyadic::MantissaView(b));

@@ -2,9 +2,10 @@
 #include "csg/exact/quadric_form.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <utility>
+
+#include "csg/base/precondition.h"
 
 namespace csgcast {
 namespace {
@@ -52,7 +53,7 @@ QuadricForm QuadricForm::operator-() const {
 }
 
 FormMover::FormMover(const ExactAffine& world_from_solid) : determinant_(world_from_solid.determinant()) {
-  assert(!determinant_.is_zero());
+  CSGCAST_PRECONDITION(!determinant_.is_zero());
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       local_[i][j] = world_from_solid.adjugate(i, j);
@@ -103,7 +104,7 @@ QuadricForm FormMover::moved(const QuadricForm& f) const {
 }
 
 CanonicalForm canonical(QuadricForm f) {
-  assert(!f.is_constant());
+  CSGCAST_PRECONDITION(!f.is_constant());
   static const Dyadic one(1.0);
   // Mantissas are odd: their greatest common divisor and the least exponent are that of the coefficients.
   std::int64_t least = std::numeric_limits<std::int64_t>::max();

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "csg/base/precondition.h"
 #include "csg/exact/affine.h"
 #include "csg/exact/directed.h"
 #include "csg/solid/bounds.h"
@@ -158,6 +159,7 @@ Box image(const Box& box, const ExactAffine& world_from_solid) {
 }
 
 Box world_bounds(const LeafShape& shape, const ExactAffine& world_from_solid) {
+  CSGCAST_PRECONDITION(!world_from_solid.is_singular());
   static const ExactAffine identity;
   if (world_from_solid == identity) return shape.bounds;
   if (!shape.vertices.empty()) return image_of_points(shape.vertices, world_from_solid);

@@ -5,6 +5,8 @@
 #include <array>
 #include <compare>
 
+#include "csg/base/precondition.h"
+
 namespace csgcast {
 namespace {
 
@@ -25,6 +27,7 @@ std::vector<std::uint32_t> first_equals(const std::vector<Point>& points) {
 Mesh::Face without_repeats(const Mesh::Face& face, const std::vector<std::uint32_t>& first) {
   Mesh::Face result;
   for (const std::uint32_t index : face) {
+    CSGCAST_PRECONDITION(index < first.size());
     if (result.empty() || result.back() != first[index]) result.push_back(first[index]);
   }
   while (result.size() > 1 && result.front() == result.back()) result.pop_back();

@@ -2,10 +2,10 @@
 #include "csg/solid/solid.h"
 
 #include <array>
-#include <cassert>
 #include <limits>
 #include <utility>
 
+#include "csg/base/precondition.h"
 #include "csg/exact/affine.h"
 #include "csg/solid/leaf_shape.h"
 
@@ -78,16 +78,28 @@ const Payload& Solid::payload() const {
 Solid Solid::everything() { return make(Kind::everything, {}); }
 
 Solid Solid::leaf(LeafShape shape) {
-  assert(!shape.forms.empty());
+  CSGCAST_PRECONDITION(!shape.forms.empty());
   return make(Kind::leaf, {}, std::move(shape));
 }
 
 Solid::Kind Solid::kind() const { return node_->kind; }
 std::span<const Solid> Solid::children() const { return node_->children; }
-const LeafShape& Solid::shape() const { return payload<LeafShape>(); }
-const Transform& Solid::transform() const { return payload<Transform>(); }
-const PartName& Solid::part() const { return payload<PartName>(); }
-const LookStatement& Solid::look() const { return payload<LookStatement>(); }
+const LeafShape& Solid::shape() const {
+  CSGCAST_PRECONDITION(kind() == Kind::leaf);
+  return payload<LeafShape>();
+}
+const Transform& Solid::transform() const {
+  CSGCAST_PRECONDITION(kind() == Kind::transform);
+  return payload<Transform>();
+}
+const PartName& Solid::part() const {
+  CSGCAST_PRECONDITION(kind() == Kind::part);
+  return payload<PartName>();
+}
+const LookStatement& Solid::look() const {
+  CSGCAST_PRECONDITION(kind() == Kind::look);
+  return payload<LookStatement>();
+}
 const Place& Solid::place() const { return node_->place; }
 const void* Solid::identity() const { return &*node_; }
 std::uint64_t Solid::leaf_count() const { return node_->leaf_count; }
@@ -137,7 +149,7 @@ Solid subtract(std::vector<Solid> children) {
 Solid complement(Solid solid) { return Solid::make(Solid::Kind::complement, {std::move(solid)}); }
 
 Solid transformed(Solid solid, const Transform& world_from_solid) {
-  assert(world_from_solid.is_finite());
+  CSGCAST_PRECONDITION(world_from_solid.is_finite());
   if (ExactAffine(world_from_solid).is_singular()) return {};
   return Solid::make(Solid::Kind::transform, {std::move(solid)}, world_from_solid);
 }

@@ -13,8 +13,8 @@ int main(void) {
   csgcast_intervals table;
   csgcast_measures measures;
   if (csgcast_read(text, strlen(text), "plate", &model) != CSGCAST_OK ||
-      csgcast_cast(model, 3, origins, down, 0, INFINITY, &table) != CSGCAST_OK ||
-      csgcast_measure(model, 1e-9, 1e-3, &measures) != CSGCAST_OK)
+      csgcast_cast(model, 3, origins, down, 0, INFINITY, NULL, &table) != CSGCAST_OK ||
+      csgcast_measure(model, 1e-9, 1e-3, NULL, &measures) != CSGCAST_OK)
     return fprintf(stderr, "%s\n", csgcast_last_error()), 1;
   for (size_t ray = 0; ray < table.rays; ++ray) {
     double inside = 0;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/base/precondition.h"
 #include "csg/base/truth_table.h"
 #include "measure/search/farthest.h"
 #include "measure/sheet/piece_forms.h"
@@ -121,6 +122,7 @@ class Search {
 }  // namespace
 
 Extent extent_of(const Space& space) {
+  CSGCAST_PRECONDITION(space.is_bounded() || space.is_empty());
   Extent extent;
   const auto axes = space.axes();
   const Point center = space.scene().frame().center;

@@ -16,8 +16,8 @@ using Op = Node::Op;
 class RedundancySearch {
  public:
   RedundancySearch(const Space& whole, const std::function<bool(NodeId)>& is_empty,
-                   const std::function<bool(double)>& goes_on)
-      : whole_(whole), scene_(whole.scene()), is_empty_(is_empty), goes_on_(goes_on) {}
+                   const std::function<void(double)>& tell)
+      : whole_(whole), scene_(whole.scene()), is_empty_(is_empty), tell_(tell) {}
 
   Redundancies operator()() {
     const auto operations = scene_.operations();
@@ -32,9 +32,8 @@ class RedundancySearch {
       const Visit visit = open_.back();
       open_.pop_back();
       if (!look_at(visit)) descend(visit);
-      if (scene_.node(visit.node).op == Op::leaf &&
-          !goes_on_(static_cast<double>(++leaves_seen_) / static_cast<double>(scene_.leaves().size())))
-        break;
+      if (scene_.node(visit.node).op == Op::leaf)
+        tell_(static_cast<double>(++leaves_seen_) / static_cast<double>(scene_.leaves().size()));
     }
     return {outermost(), not_asked_};
   }
@@ -111,7 +110,7 @@ class RedundancySearch {
   const Space& whole_;
   const Scene& scene_;
   const std::function<bool(NodeId)>& is_empty_;
-  const std::function<bool(double)>& goes_on_;
+  const std::function<void(double)>& tell_;
   std::unordered_map<std::uint32_t, const Operation*> operation_of_;  // by node, the outermost
   std::vector<Visit> open_;
   std::size_t leaves_seen_ = 0;
@@ -122,8 +121,8 @@ class RedundancySearch {
 }  // namespace
 
 Redundancies redundancies(const Space& whole, const std::function<bool(NodeId)>& is_empty,
-                          const std::function<bool(double)>& goes_on) {
-  return RedundancySearch(whole, is_empty, goes_on)();
+                          const std::function<void(double)>& tell) {
+  return RedundancySearch(whole, is_empty, tell)();
 }
 
 }  // namespace csgcast::detail

@@ -15,9 +15,9 @@ struct Redundancies {
 };
 
 /// The outermost statements that a solid would be the same without, proved one by one, in file order. `whole`: the
-/// space of the scene's root. `is_empty(node)`: whether a node is known to hold nothing. `goes_on(share done)`: false
-/// ends the search.
+/// space of the scene's root. `is_empty(node)` is true if a node is known to hold nothing. `tell(share done)` may
+/// throw.
 Redundancies redundancies(const Space& whole, const std::function<bool(NodeId)>& is_empty,
-                          const std::function<bool(double)>& goes_on);
+                          const std::function<void(double)>& tell);
 
 }  // namespace csgcast::detail

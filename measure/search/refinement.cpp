@@ -11,6 +11,7 @@
 #include <limits>
 #include <utility>
 
+#include "csg/base/precondition.h"
 #include "measure/sheet/piece_cut.h"
 
 namespace csgcast::detail {
@@ -59,8 +60,8 @@ struct Sums {
 
 class Refinement {
  public:
-  Refinement(const Space& space, const MeasureOptions& options)
-      : space_(space), options_(options), cutters_([this] { return PieceCutter(space_); }) {}
+  Refinement(const Space& space, const MeasureOptions& options, const std::function<void(const Progress&)>& tell)
+      : space_(space), options_(options), tell_(tell), cutters_([this] { return PieceCutter(space_); }) {}
 
   Totals run() {
     Part whole{cutters_.local().whole(), {}};
@@ -150,9 +151,28 @@ class Refinement {
     return pieces_ <= 4 * pieces_then_ + 16384 + pieces_of_leaf * space_.scene().leaves().size();
   }
 
+  /// Of nothing, infinite unless it is certain.
+  static double relative(double error, double value) { return error == 0 ? 0 : error / std::fabs(value); }
+
+  /// From an error of all to that asked for, digit by digit.
+  static double share_done(double error, double asked) {
+    if (!(asked < 1)) return 1;
+    return std::clamp(std::log(std::fmin(error, 1)) / std::log(asked), 0.0, 1.0);
+  }
+
+  /// Of volume and area the share that is behind.
+  Progress progress() const {
+    const double error = relative(volume_error(), now_.volume.value());
+    const double volume = share_done(error, options_.relative_error);
+    const double area = share_done(relative(area_error(), now_.area.value()), options_.relative_area_error);
+    return {std::fmin(volume, area), error};
+  }
+
   /// Cuts the parts that are to blame most; false if there would be too many, or the caller has had enough.
   bool refine() {
-    if (options_.goes_on && !options_.goes_on(volume_error() / std::fabs(now_.volume.value()))) return false;
+    const Progress now = progress();
+    tell_(now);
+    if (options_.is_enough && options_.is_enough(*now.relative_error)) return false;
     const double all = (blames_volume_ ? volume_error() : 0) + (blames_area_ ? area_weight_ * area_error() : 0);
     std::vector<std::uint32_t> chosen;
     for (double sum = 0; !ranking_.empty() && sum < share_at_once * all && chosen.size() < most_at_once;) {
@@ -228,6 +248,7 @@ class Refinement {
 
   const Space& space_;
   const MeasureOptions& options_;
+  const std::function<void(const Progress&)>& tell_;
   tbb::enumerable_thread_specific<PieceCutter> cutters_;
   std::vector<Part> parts_;
   std::vector<std::uint32_t> free_;  // places in parts_
@@ -254,6 +275,9 @@ Measured scaled(double factor, double value, double error) {
   return result;
 }
 
-Totals refine(const Space& space, const MeasureOptions& options) { return Refinement(space, options).run(); }
+Totals refine(const Space& space, const MeasureOptions& options, const std::function<void(const Progress&)>& tell) {
+  CSGCAST_PRECONDITION(space.is_bounded() || space.is_empty());
+  return Refinement(space, options, tell).run();
+}
 
 }  // namespace csgcast::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "measure/sheet/estimate.h"
@@ -25,7 +26,11 @@ struct Totals {
 /// numbers are too large or too small for doubles.
 Measured scaled(double factor, double value, double error);
 
-/// Cuts space until the sums are as certain as the options ask. Precondition: it is bounded.
-Totals refine(const Space& space, const MeasureOptions& options);
+/// Cuts space until the sums are as certain as the options ask, or enough. `tell` is told now and then, by the calling
+/// thread, how far that is; what it throws ends the work. The options' own progress is not told. Precondition: the
+/// space is bounded.
+Totals refine(
+    const Space& space, const MeasureOptions& options,
+    const std::function<void(const Progress&)>& tell = [](const Progress&) {});
 
 }  // namespace csgcast::detail

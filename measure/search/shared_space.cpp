@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/base/precondition.h"
 #include "measure/search/refinement.h"
 #include "measure/sheet/estimate.h"
 #include "measure/sheet/piece_cut.h"
@@ -138,6 +139,7 @@ class PlaceSearch {
 }  // namespace
 
 SearchResult find_place(const Space& space, const LineTest& test) {
+  CSGCAST_PRECONDITION(space.is_bounded() || space.is_empty());
   return PlaceSearch(space, test, next_to_nothing)();
 }
 
@@ -148,6 +150,7 @@ bool is_nothing(const Space& space) {
 }
 
 Measured volume_of(const Space& space) {
+  CSGCAST_PRECONDITION(space.is_bounded() || space.is_empty());
   MeasureOptions options;
   options.relative_error = 1e-2;
   options.relative_area_error = HUGE_VAL;

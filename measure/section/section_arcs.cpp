@@ -6,6 +6,7 @@
 #include <queue>
 #include <utility>
 
+#include "csg/base/precondition.h"
 #include "measure/sheet/column_layout.h"
 #include "measure/sheet/piece_cut.h"
 #include "measure/sheet/piece_forms.h"
@@ -15,15 +16,17 @@ namespace {
 
 // Corners smaller than this are not cut any more, in units of the space.
 constexpr double least_corner = 0x1p-38;
+constexpr std::size_t pieces_between_looks = 256;
 
 /// Finds the arcs in the pieces of a section's space, and cuts those in which curves cross.
 class Tracer {
  public:
   explicit Tracer(const Space& space) : space_(space), cutter_(space) {}
 
-  ArcTrace operator()(std::size_t most_pieces) {
+  ArcTrace operator()(std::size_t most_pieces, const std::function<void()>& look_up) {
     open_.push(sized(cutter_.whole()));
     for (std::size_t pieces = 0; !open_.empty(); ++pieces) {
+      if (pieces % pieces_between_looks == 0) look_up();
       const Sized next = open_.top();
       open_.pop();
       const Piece& piece = next.piece;
@@ -103,6 +106,9 @@ class Tracer {
 
 }  // namespace
 
-ArcTrace trace_arcs(const Space& space, std::size_t most_pieces) { return Tracer(space)(most_pieces); }
+ArcTrace trace_arcs(const Space& space, std::size_t most_pieces, const std::function<void()>& look_up) {
+  CSGCAST_PRECONDITION(space.is_bounded() || space.is_empty());
+  return Tracer(space)(most_pieces, look_up);
+}
 
 }  // namespace csgcast::detail

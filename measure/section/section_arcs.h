@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "raycast/cells/pieces.h"
@@ -28,8 +29,9 @@ struct ArcTrace {
   double displaced = 0;  ///< how far curves may be from where they were found
 };
 
-/// Precondition: the space is that of a section, and bounded.
-ArcTrace trace_arcs(const Space& space, std::size_t most_pieces);
+/// `look_up` is called now and then; what it throws ends the work. Precondition: the space is that of a section, and
+/// bounded.
+ArcTrace trace_arcs(const Space& space, std::size_t most_pieces, const std::function<void()>& look_up);
 
 /// Joins arcs whose ends meet, or lie at the same corner, to loops; arcs of one surface that follow each other become
 /// one, but no loop has a single arc.

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "csg/base/box.h"
+#include "csg/base/progress.h"
 #include "csg/base/vector.h"
 
 namespace csgcast {
@@ -40,8 +41,12 @@ struct MeasureOptions {
   double relative_area_error = 1e-3;  ///< of areas, which take more pieces; infinite: any
   /// The greatest number of pieces of a body, some 500 bytes each; then the bounds are what they are.
   std::size_t most_pieces = 4'000'000;
-  /// Called now and then with a volume's present relative error; false: enough. May be empty.
-  std::function<bool(double)> goes_on;
+  /// Asked now and then with a volume's present relative error; true: the bounds that are known by then are the result,
+  /// and Measures::is_as_asked tells if they are as small as asked for. Never asked by two threads at once. May be
+  /// empty.
+  std::function<bool(double relative_error)> is_enough{};
+  /// To cancel is another thing: then there is no result.
+  ProgressCallback progress{};
 };
 
 }  // namespace csgcast

@@ -13,8 +13,7 @@ namespace csgcast {
 class Cells {
  public:
   /// Makes the cells of the whole solid, or of one of its nodes. The scene must outlive them. It takes some 20 us a
-  /// leaf, shared by the threads that oneTBB has where it is called (tbb::task_arena). The cells do not depend on the
-  /// number of threads.
+  /// leaf, shared by the threads of the present arena (raycast/packets/threads.h).
   explicit Cells(const Scene& scene) : Cells(scene, scene.root()) {}
   Cells(const Scene& scene, NodeId node);
   ~Cells();

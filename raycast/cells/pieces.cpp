@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "csg/base/precondition.h"
 #include "raycast/cells/build/box_fold.h"
 #include "raycast/cells/detail/space_content.h"
 #include "raycast/cells/formula/formula_table.h"
@@ -154,6 +155,7 @@ PieceCutter::~PieceCutter() = default;
 PieceCutter::PieceCutter(PieceCutter&&) noexcept = default;
 
 Piece PieceCutter::whole() {
+  CSGCAST_PRECONDITION(state_->space.is_bounded() || state_->space.is_empty());
   const Space& space = state_->space;
   const detail::Formula& formula = space.content().formula;
   if (!formula.is_constant()) return state_->fold(formula, space.box());

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "csg/base/precondition.h"
 #include "csg/base/truth_table.h"
 #include "raycast/cells/space.h"
 
@@ -29,7 +30,10 @@ struct Piece {
   bool is_crowded() const { return crowd != nullptr; }
   bool is_constant() const { return crowd == nullptr && count == 0; }
   /// Precondition: the piece is constant.
-  bool value() const { return table.at(0); }
+  bool value() const {
+    CSGCAST_PRECONDITION(is_constant());
+    return table.at(0);
+  }
 };
 
 /// Cuts a space, which must outlive this, into pieces. Working memory of one thread.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "csg/base/precondition.h"
 #include "raycast/cells/detail/section_ground.h"
 #include "raycast/cells/detail/space_content.h"
 
@@ -54,6 +55,7 @@ Space Space::effect_of(NodeId node, bool as_everything, const Box& reach) const 
 }
 
 Space Space::section(Vector normal, double distance) const {
+  CSGCAST_PRECONDITION(is_bounded() && is_finite(normal) && longest(normal) > 0);
   auto [ground, misses] = detail::section_ground(*content_->ground, node_, normal, distance);
   const CellBox own = ground->box;
   return {Content{std::move(ground), misses ? detail::Formula() : content_->formula}, own, node_};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/line/exact_root.h"
 
+#include "csg/base/precondition.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -33,6 +35,7 @@ int sign_with_roots(const Dyadic& x, const Dyadic& y, const Dyadic& d, const Dya
 }  // namespace
 
 ExactRoot ExactRoot::quotient(const Dyadic& dividend, const Dyadic& divisor) {
+  CSGCAST_PRECONDITION(!divisor.is_zero());
   ExactRoot root(dividend);
   root.q = divisor;
   return root;

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "csg/base/length.h"
+#include "csg/base/precondition.h"
 #include "raycast/line/box_line.h"
+#include "raycast/packets/detail/caster_pointers.h"
 #include "raycast/ray/layer_sweep.h"
 #include "raycast/scene/even_looks.h"
 
@@ -31,6 +33,7 @@ LayerCells::LayerCells(const Scene& scene)
     : scene_(&scene),
       even_looks_(csgcast::even_looks(scene)),
       all_look_even_(std::find(even_looks_.begin(), even_looks_.end(), 0) == even_looks_.end()) {
+  CSGCAST_PRECONDITION(suits(scene));
   for (const Layer& layer : scene.layers()) layers_.emplace_back(scene, layer.node);
 }
 
@@ -38,20 +41,20 @@ LayerCells::LayerCells(const Scene& scene)
 struct LayerCaster::Query {
   Query(const Ray& of, const std::optional<Departure>& from, double until, const Frame& frame)
       : ray(of), departure(from), end(until), unit(std::ldexp(1, frame.exponent) / longest(of.direction())) {
-    arrays.count = 1;
+    pointers.count = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       origin[axis] = of.origin()[axis];
       direction[axis] = of.direction()[axis];
-      arrays.origin[axis] = &origin[axis];
-      arrays.direction[axis] = &direction[axis];
+      pointers.origin[axis] = &origin[axis];
+      pointers.direction[axis] = &direction[axis];
     }
     if (from) {
       surface = from->surface.index();
       is_positive = from->side == Sense::positive ? 1 : 0;
-      arrays.departure = &surface;
-      arrays.departs_positive = &is_positive;
+      pointers.departure = &surface;
+      pointers.departs_positive = &is_positive;
     }
-    if (until < HUGE_VAL) arrays.end = &end;
+    if (until < HUGE_VAL) pointers.end = &end;
   }
   Query(const Query&) = delete;
 
@@ -67,7 +70,7 @@ struct LayerCaster::Query {
   std::uint8_t is_positive = 0;
   double end;
   double unit;  // the frame's, in t
-  RayArrays arrays;
+  PacketCaster::RayPointers pointers;
   bool is_begun = false;  // by the caster
 };
 
@@ -89,7 +92,7 @@ void LayerCaster::meet(std::size_t layer, const Query& query) {
   double t;
   std::uint32_t surface, look;
   double point[3], normal[3];
-  FaceArrays faces;
+  PacketCaster::FacePointers faces;
   faces.state = &state;
   faces.is_inside = &is_inside;
   faces.t = &t;
@@ -101,7 +104,7 @@ void LayerCaster::meet(std::size_t layer, const Query& query) {
     faces.point[axis] = &point[axis];
     faces.normal[axis] = &normal[axis];
   }
-  casters_[layer].first_faces(query.arrays, faces);
+  casters_[layer].first_faces(query.pointers, faces);
   meeting.hits = state != FaceArrays::none;
   meeting.is_inside = is_inside != 0;
   if (!meeting.hits) return;
@@ -179,7 +182,7 @@ void LayerCaster::look_through(const Ray& ray, const std::optional<Departure>& d
   for (std::size_t layer = 0; layer < casters_.size(); ++layer) {
     spans_[layer] = {};
     if (!query.may_meet(box_of(layer))) continue;
-    casters_[layer].intervals(query.arrays, lists_[layer], Rounding::close, PacketCaster::Ends::looks);
+    casters_[layer].intervals(query.pointers, lists_[layer], Rounding::close, PacketCaster::Ends::looks);
     are_certain = are_certain && casters_[layer].left_to_caster().empty();
     spans_[layer] = lists_[layer].intervals;
   }

@@ -7,12 +7,19 @@
 #include <numeric>
 
 #include "csg/base/error.h"
+#include "csg/base/precondition.h"
 #include "raycast/cells/cells_data.h"
+#include "raycast/packets/detail/caster_pointers.h"
 #include "raycast/packets/detail/lanes.h"
+#include "raycast/packets/detail/ray_pointers.h"
 #include "raycast/ray/interval_list.h"
 
 namespace csgcast {
 namespace {
+
+using detail::FacePointers;
+using detail::HitPointers;
+using detail::RayPointers;
 
 // Bounds the memory, and is many packets.
 constexpr std::size_t rays_at_once = 256;
@@ -27,12 +34,12 @@ const detail::LaneCode& code_named(std::string_view instructions) {
               "this machine has others", "ask PacketCaster::instruction_sets()");
 }
 
-Ray ray_at(const RayArrays& rays, std::size_t i) {
+Ray ray_at(const RayPointers& rays, std::size_t i) {
   return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
           {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}};
 }
 
-void begin(Caster& caster, const RayArrays& rays, std::size_t i) {
+void begin(Caster& caster, const RayPointers& rays, std::size_t i) {
   std::optional<Departure> departure;
   if (rays.departure != nullptr) {
     const Sense side = rays.departs_positive[i] != 0 ? Sense::positive : Sense::negative;
@@ -41,14 +48,14 @@ void begin(Caster& caster, const RayArrays& rays, std::size_t i) {
   caster.begin(ray_at(rays, i), departure);
 }
 
-Span span_of(const RayArrays& rays, std::size_t i) {
+Span span_of(const RayPointers& rays, std::size_t i) {
   Span span = rays.whole_line ? Span::line() : Span();
   if (rays.end != nullptr) span.to = rays.end[i];
   return span;
 }
 
 // Rays [begin, begin + count).
-RayArrays part(RayArrays rays, std::size_t begin, std::size_t count) {
+RayPointers part(RayPointers rays, std::size_t begin, std::size_t count) {
   rays.count = count;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     rays.origin[axis] += begin;
@@ -62,7 +69,7 @@ RayArrays part(RayArrays rays, std::size_t begin, std::size_t count) {
   return rays;
 }
 
-void set_hit(const HitArrays& hits, std::size_t i, const std::optional<Hit>& hit) {
+void set_hit(const HitPointers& hits, std::size_t i, const std::optional<Hit>& hit) {
   hits.state[i] = HitArrays::none;
   if (!hit) return;
   hits.state[i] = hit->passage == Passage::entry ? HitArrays::entry : HitArrays::exit;
@@ -71,7 +78,7 @@ void set_hit(const HitArrays& hits, std::size_t i, const std::optional<Hit>& hit
   if (hits.root != nullptr) hits.root[i] = hit->crossing.root;
 }
 
-void set_face(const FaceArrays& faces, std::size_t i, const Attribution& face) {
+void set_face(const FacePointers& faces, std::size_t i, const Attribution& face) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     faces.point[axis][i] = face.point[axis];
     faces.normal[axis][i] = face.normal[axis];
@@ -100,8 +107,8 @@ struct PacketCaster::State {
         caster(c.scene()) {}
 
   // Rays as arrays: those of `rays` from `begin` on, as many as are at once.
-  RayArrays load(std::span<const Ray> rays, std::size_t begin) {
-    RayArrays arrays;
+  detail::RayPointers load(std::span<const Ray> rays, std::size_t begin) {
+    detail::RayPointers arrays;
     arrays.count = std::min(rays_at_once, rays.size() - begin);
     for (std::size_t i = 0; i < arrays.count; ++i) {
       const Point o = rays[begin + i].origin();
@@ -119,7 +126,8 @@ struct PacketCaster::State {
   }
 
   // What a ray that lanes left meets first, by the caster, which has begun it then.
-  std::optional<Hit> tell_left(const RayArrays& rays, std::size_t i, const HitArrays& hits, Rounding rounding) {
+  std::optional<Hit> tell_left(const detail::RayPointers& rays, std::size_t i, const detail::HitPointers& hits,
+                               Rounding rounding) {
     begin(caster, rays, i);
     const Span span = span_of(rays, i);
     const std::optional<Hit> hit = caster.first_hit(cells.node(), span, rounding);
@@ -138,7 +146,7 @@ struct PacketCaster::State {
 
   // Lists of rays that lanes left have none yet: they are put in, from the last one on. `base`: how many rays the batch
   // had before.
-  void insert_left(const RayArrays& rays, std::size_t base, std::size_t left_before, IntervalBatch& batch,
+  void insert_left(const detail::RayPointers& rays, std::size_t base, std::size_t left_before, IntervalBatch& batch,
                    Rounding rounding, Ends ends) {
     for (std::size_t k = left.size(); k-- > left_before;) {
       const std::size_t i = left[k];
@@ -152,7 +160,7 @@ struct PacketCaster::State {
   }
 
   // The faces that lanes could not tell, or that are of rays they left.
-  void tell_faces(const RayArrays& rays, std::size_t base, IntervalBatch& batch, Ends ends) {
+  void tell_faces(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch, Ends ends) {
     const auto is_known = [&](const EndFace& face) {
       return face.look.valid() && (face.leaf.valid() || ends == Ends::looks);
     };
@@ -172,7 +180,7 @@ struct PacketCaster::State {
   }
 
   // t of the ends of rays whose lanes could not round it.
-  void round(const RayArrays& rays, std::size_t base, IntervalBatch& batch) {
+  void round(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch) {
     for (const std::uint32_t i : unrounded) {
       begin(caster, rays, i);
       for (std::size_t k = batch.offsets[base + i]; k < batch.offsets[base + i + 1]; ++k) {
@@ -184,7 +192,7 @@ struct PacketCaster::State {
   }
 
   // No list for any ray yet.
-  void leave_all(const RayArrays& rays, std::size_t base, IntervalBatch& batch) {
+  void leave_all(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch) {
     for (std::size_t i = 0; i < rays.count; ++i) {
       batch.offsets[base + i + 1] = batch.intervals.size();
       left.push_back(static_cast<std::uint32_t>(i));
@@ -192,7 +200,7 @@ struct PacketCaster::State {
   }
 
   // Adds the lists of some rays to the batch.
-  void add(const RayArrays& rays, std::size_t base, IntervalBatch& batch, Rounding rounding, Ends ends) {
+  void add(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch, Rounding rounding, Ends ends) {
     batch.offsets.resize(base + rays.count + 1);
     const std::size_t left_before = left.size();
     unrounded.clear();
@@ -214,7 +222,7 @@ struct PacketCaster::State {
     for (std::size_t k = left_before; k < left.size(); ++k) left[k] += static_cast<std::uint32_t>(base);
   }
 
-  void fill(const RayArrays& rays, IntervalBatch& batch, Rounding rounding, Ends ends) {
+  void fill(const detail::RayPointers& rays, IntervalBatch& batch, Rounding rounding, Ends ends) {
     clear(batch);
     // In pieces: what is put in between (insert_left) moves but little.
     for (std::size_t begin = 0; begin < rays.count; begin += rays_at_once)
@@ -226,6 +234,63 @@ struct PacketCaster::State {
     batch.faces.clear();
     batch.offsets.assign(1, 0);
     left.clear();
+  }
+
+  void first_hits(const detail::RayPointers& rays, const detail::HitPointers& hits, Rounding rounding) {
+    detail::LaneHits lanes;
+    static_cast<detail::HitPointers&>(lanes.faces) = hits;
+    lanes.rounds = rounding == Rounding::nearest;
+    lanes.unrounded = &unrounded;
+    lanes.left = &left;
+    unrounded.clear();
+    left.clear();
+    code.first_hits(cells.scene(), cells.data(), rays, lanes, counts);
+    for (const std::uint32_t i : unrounded) {
+      begin(caster, rays, i);
+      hits.t[i] = caster.reported({hits.t[i], SurfaceId(hits.surface[i]), hits.root[i]}).t;
+    }
+    for (const std::uint32_t i : left) tell_left(rays, i, hits, rounding);
+  }
+
+  void any_hits(const detail::RayPointers& rays, std::uint8_t* hits) {
+    detail::LaneHits lanes;
+    lanes.faces.state = hits;
+    lanes.left = &left;
+    left.clear();
+    code.any_hits(cells.scene(), cells.data(), rays, lanes, counts);
+    for (const std::uint32_t i : left) {
+      begin(caster, rays, i);
+      hits[i] = caster.any_hit(cells.node(), span_of(rays, i)) ? 1 : 0;
+    }
+  }
+
+  void first_faces(const detail::RayPointers& rays, const detail::FacePointers& faces) {
+    detail::LaneHits lanes;
+    lanes.faces = faces;
+    lanes.unowned = &unowned;
+    lanes.left = &left;
+    unowned.clear();
+    left.clear();
+    roots.resize(std::max(roots.size(), rays.count));
+    if (faces.root == nullptr) lanes.faces.root = roots.data();
+    if (cells.scene().bounded_leaves().is_finite()) {
+      code.first_hits(cells.scene(), cells.data(), rays, lanes, counts);
+    } else {  // places are computed another way (LineCache::point)
+      left.resize(rays.count);
+      std::iota(left.begin(), left.end(), 0u);
+    }
+    for (const std::uint32_t i : unowned) {
+      begin(caster, rays, i);
+      const Passage passage = faces.state[i] == HitArrays::entry ? Passage::entry : Passage::exit;
+      const Crossing crossing{faces.t[i], SurfaceId(faces.surface[i]), lanes.faces.root[i]};
+      const Attribution face = caster.attribute(cells.node(), {crossing, passage});
+      faces.look[i] = face.look.index();
+      if (faces.leaf != nullptr) faces.leaf[i] = face.leaf.index();
+    }
+    for (const std::uint32_t i : left) {
+      const std::optional<Hit> hit = tell_left(rays, i, faces, Rounding::close);
+      if (hit) set_face(faces, i, caster.attribute(cells.node(), *hit));
+    }
   }
 
   const Cells& cells;
@@ -261,29 +326,33 @@ void PacketCaster::check_instructions(std::string_view name) { code_named(name);
 const Scene& PacketCaster::scene() const { return state_->cells.scene(); }
 
 void PacketCaster::first_hits(const RayArrays& rays, const HitArrays& hits, Rounding rounding) {
-  State& state = *state_;
-  detail::LaneHits lanes;
-  static_cast<HitArrays&>(lanes.faces) = hits;
-  lanes.rounds = rounding == Rounding::nearest;
-  lanes.unrounded = &state.unrounded;
-  lanes.left = &state.left;
-  state.unrounded.clear();
-  state.left.clear();
-  state.code.first_hits(scene(), state.cells.data(), rays, lanes, state.counts);
-  for (const std::uint32_t i : state.unrounded) {
-    begin(state.caster, rays, i);
-    hits.t[i] = state.caster.reported({hits.t[i], SurfaceId(hits.surface[i]), hits.root[i]}).t;
-  }
-  for (const std::uint32_t i : state.left) state.tell_left(rays, i, hits, rounding);
+  const bool rounds = rounding == Rounding::nearest;
+  state_->first_hits(detail::pointers_of(rays), detail::pointers_of(hits, rays.count(), rounds), rounding);
+}
+
+void PacketCaster::any_hits(const RayArrays& rays, std::span<std::uint8_t> hits) {
+  CSGCAST_PRECONDITION(hits.size() >= rays.count());
+  state_->any_hits(detail::pointers_of(rays), hits.data());
+}
+
+void PacketCaster::first_faces(const RayArrays& rays, const FaceArrays& faces) {
+  state_->first_faces(detail::pointers_of(rays), detail::pointers_of(faces, rays.count()));
+}
+
+void PacketCaster::first_faces(const RayPointers& rays, const FacePointers& faces) { state_->first_faces(rays, faces); }
+
+void PacketCaster::intervals(const RayPointers& rays, IntervalBatch& batch, Rounding rounding, Ends ends) {
+  state_->fill(rays, batch, rounding, ends);
 }
 
 void PacketCaster::first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding) {
+  CSGCAST_PRECONDITION(hits.size() == rays.size());
   State& state = *state_;
-  const HitArrays arrays{state.found.data(), state.t.data(), state.surface.data(), state.root.data()};
+  const detail::HitPointers arrays{state.found.data(), state.t.data(), state.surface.data(), state.root.data()};
   std::vector<std::uint32_t> left;
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
-    const RayArrays some = state.load(rays, begin);
-    first_hits(some, arrays, rounding);
+    const detail::RayPointers some = state.load(rays, begin);
+    state.first_hits(some, arrays, rounding);
     for (const std::uint32_t i : state.left) left.push_back(static_cast<std::uint32_t>(begin) + i);
     for (std::size_t i = 0; i < some.count; ++i) {
       std::optional<Hit>& hit = hits[begin + i];
@@ -297,16 +366,17 @@ void PacketCaster::first_hits(std::span<const Ray> rays, std::span<std::optional
 }
 
 void PacketCaster::any_hits(std::span<const Ray> rays, std::span<std::uint8_t> hits) {
+  CSGCAST_PRECONDITION(hits.size() == rays.size());
   std::vector<std::uint32_t> left;
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
-    any_hits(state_->load(rays, begin), hits.data() + begin);
+    state_->any_hits(state_->load(rays, begin), hits.data() + begin);
     for (const std::uint32_t i : state_->left) left.push_back(static_cast<std::uint32_t>(begin) + i);
   }
   state_->left.swap(left);
 }
 
 void PacketCaster::intervals(const RayArrays& rays, IntervalBatch& batch, Rounding rounding, Ends ends) {
-  state_->fill(rays, batch, rounding, ends);
+  state_->fill(detail::pointers_of(rays), batch, rounding, ends);
 }
 
 void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span, Rounding rounding, Ends ends) {
@@ -316,7 +386,7 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
   std::array<double, rays_at_once> end;
   end.fill(span.to);
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_at_once) {
-    RayArrays some = state.load(rays, begin);
+    detail::RayPointers some = state.load(rays, begin);
     some.whole_line = span.from != 0;
     some.end = span.to == HUGE_VAL ? nullptr : end.data();
     if (fits_lanes) {
@@ -333,49 +403,6 @@ void PacketCaster::intervals(std::span<const Ray> rays, IntervalBatch& batch, Sp
     if (ends == Ends::bare) continue;
     batch.faces.resize(2 * batch.intervals.size());
     state.tell_faces(some, begin, batch, ends);
-  }
-}
-
-void PacketCaster::first_faces(const RayArrays& rays, const FaceArrays& faces) {
-  State& state = *state_;
-  detail::LaneHits lanes;
-  lanes.faces = faces;
-  lanes.unowned = &state.unowned;
-  lanes.left = &state.left;
-  state.unowned.clear();
-  state.left.clear();
-  state.roots.resize(std::max(state.roots.size(), rays.count));
-  if (faces.root == nullptr) lanes.faces.root = state.roots.data();
-  if (scene().bounded_leaves().is_finite()) {
-    state.code.first_hits(scene(), state.cells.data(), rays, lanes, state.counts);
-  } else {  // places are computed another way (LineCache::point)
-    state.left.resize(rays.count);
-    std::iota(state.left.begin(), state.left.end(), 0u);
-  }
-  for (const std::uint32_t i : state.unowned) {
-    begin(state.caster, rays, i);
-    const Passage passage = faces.state[i] == FaceArrays::entry ? Passage::entry : Passage::exit;
-    const Crossing crossing{faces.t[i], SurfaceId(faces.surface[i]), lanes.faces.root[i]};
-    const Attribution face = state.caster.attribute(state.cells.node(), {crossing, passage});
-    faces.look[i] = face.look.index();
-    if (faces.leaf != nullptr) faces.leaf[i] = face.leaf.index();
-  }
-  for (const std::uint32_t i : state.left) {
-    const std::optional<Hit> hit = state.tell_left(rays, i, faces, Rounding::close);
-    if (hit) set_face(faces, i, state.caster.attribute(state.cells.node(), *hit));
-  }
-}
-
-void PacketCaster::any_hits(const RayArrays& rays, std::uint8_t* hits) {
-  State& state = *state_;
-  detail::LaneHits lanes;
-  lanes.faces.state = hits;
-  lanes.left = &state.left;
-  state.left.clear();
-  state.code.any_hits(scene(), state.cells.data(), rays, lanes, state.counts);
-  for (const std::uint32_t i : state.left) {
-    begin(state.caster, rays, i);
-    hits[i] = state.caster.any_hit(state.cells.node(), span_of(rays, i)) ? 1 : 0;
   }
 }
 

@@ -51,8 +51,8 @@ class PacketCaster {
   /// The first crossing of each ray from 0 to its end: Caster::first_hit. Rays that depart are not asked for it.
   /// Rounding::close is several times as fast: then t is what double gives (docs/accuracy.md), not the nearest one.
   void first_hits(const RayArrays& rays, const HitArrays& hits, Rounding rounding = Rounding::nearest);
-  /// Whether each ray meets the inside of the solid: Caster::any_hit. 1 or 0, as many as rays.
-  void any_hits(const RayArrays& rays, std::uint8_t* hits);
+  /// 1 if a ray meets the inside of the solid, else 0: Caster::any_hit. Precondition: room for as many as rays.
+  void any_hits(const RayArrays& rays, std::span<std::uint8_t> hits);
   /// What is told of the ends of intervals.
   enum class Ends : std::uint8_t {
     bare,   ///< the crossings
@@ -65,11 +65,18 @@ class PacketCaster {
   /// What Caster::first_hit and attribute say, for pictures. t: Rounding::close.
   void first_faces(const RayArrays& rays, const FaceArrays& faces);
 
-  /// The same for rays in [0, infinity), or in a span. `hits`: as many as rays.
+  /// The same for rays in [0, infinity), or in a span. Precondition: as many hits as rays.
   void first_hits(std::span<const Ray> rays, std::span<std::optional<Hit>> hits, Rounding rounding = Rounding::nearest);
   void any_hits(std::span<const Ray> rays, std::span<std::uint8_t> hits);
   void intervals(std::span<const Ray> rays, IntervalBatch& batch, Span span = {}, Rounding rounding = Rounding::nearest,
                  Ends ends = Ends::bare);
+
+  /// The same as pointers (detail/caster_pointers.h): for callers that cast rays one by one, where the checks and
+  /// copies of arrays are too slow. Preconditions: those of the arrays.
+  struct RayPointers;
+  struct FacePointers;
+  void first_faces(const RayPointers& rays, const FacePointers& faces);
+  void intervals(const RayPointers& rays, IntervalBatch& batch, Rounding rounding, Ends ends);
 
   /// The rays of the last call that lanes could not decide, and that went to the caster: their places in the arrays.
   std::span<const std::uint32_t> left_to_caster() const;

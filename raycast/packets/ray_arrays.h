@@ -1,40 +1,45 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace csgcast {
 
-/// Rays as arrays, a number a ray, in the scene's coordinates. They must be within Ray::in_range.
+/// Rays as arrays, a number a ray, in the scene's coordinates. They must be within Ray::in_range. All arrays are as
+/// long as origin[0]; those that may be empty are empty or as long.
 struct RayArrays {
-  std::size_t count = 0;
-  const double* origin[3] = {};
-  const double* direction[3] = {};
-  const std::uint32_t* departure = nullptr;  ///< the surface that each ray starts on (Departure); null: no ray does
-  const std::uint8_t* departs_positive = nullptr;  ///< whether towards its positive side, to which it must go
-  bool whole_line = false;                         ///< from -infinity on, not from 0; no ray departs then
-  const double* end = nullptr;                     ///< the t up to which each ray is asked; null: infinity
+  std::array<std::span<const double>, 3> origin{};
+  std::array<std::span<const double>, 3> direction{};
+  std::span<const std::uint32_t> departure{};  ///< the surface that each ray starts on (Departure); empty: none does
+  std::span<const std::uint8_t> departs_positive{};  ///< 1: it goes to the surface's positive side, 0: to the negative
+  bool whole_line = false;                           ///< from -infinity on, not from 0; no ray departs then
+  std::span<const double> end{};                     ///< the t up to which each ray is asked; empty: infinity
+
+  std::size_t count() const { return origin[0].size(); }
 };
 
-/// Where rays first cross the solid's boundary, as arrays of as many numbers.
+/// Where rays first cross the solid's boundary. Arrays have room for as many numbers as there are rays, or more; those
+/// that may be empty are not asked for then.
 struct HitArrays {
   enum State : std::uint8_t { none, entry, exit };
 
-  std::uint8_t* state = nullptr;      ///< without a hit the other numbers mean nothing
-  double* t = nullptr;                ///< Crossing::t
-  std::uint32_t* surface = nullptr;   ///< SurfaceId
-  std::uint8_t* root = nullptr;       ///< Crossing::root; may be null where t is not rounded
-  std::uint8_t* is_inside = nullptr;  ///< whether the ray starts inside the solid; may be null
+  std::span<std::uint8_t> state{};      ///< without a hit the other numbers mean nothing
+  std::span<double> t{};                ///< Crossing::t
+  std::span<std::uint32_t> surface{};   ///< SurfaceId
+  std::span<std::uint8_t> root{};       ///< Crossing::root; may be empty where t is not rounded
+  std::span<std::uint8_t> is_inside{};  ///< 1: the ray starts inside the solid, else 0; may be empty
 };
 
-/// And the faces there. `leaf` may be null: then it is not asked for.
+/// And the faces there.
 struct FaceArrays : HitArrays {
-  double* point[3] = {};                   ///< Attribution::point, ..
-  double* normal[3] = {};                  ///< unit, out of the solid
-  std::uint32_t* look = nullptr;           ///< LookId
-  std::uint8_t* comes_positive = nullptr;  ///< Attribution::front is the positive side
-  std::uint32_t* leaf = nullptr;           ///< LeafId
+  std::array<std::span<double>, 3> point{};   ///< Attribution::point
+  std::array<std::span<double>, 3> normal{};  ///< unit, out of the solid
+  std::span<std::uint32_t> look{};            ///< LookId
+  std::span<std::uint8_t> comes_positive{};   ///< 1: Attribution::front is the positive side, else 0
+  std::span<std::uint32_t> leaf{};            ///< LeafId; may be empty
 };
 
 }  // namespace csgcast

@@ -19,6 +19,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "csg/base/precondition.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace csgcast {
 namespace HWY_NAMESPACE {
@@ -171,7 +173,10 @@ HWY_INLINE std::uint64_t AndNot(std::uint64_t a, std::uint64_t b) { return ~a & 
 HWY_INLINE std::uint64_t Or(std::uint64_t a, std::uint64_t b) { return a | b; }
 HWY_INLINE std::uint64_t Xor(std::uint64_t a, std::uint64_t b) { return a ^ b; }
 /// Precondition: by < 64.
-HWY_INLINE std::uint64_t Shr(std::uint64_t a, std::uint64_t by) { return a >> by; }
+HWY_INLINE std::uint64_t Shr(std::uint64_t a, std::uint64_t by) {
+  CSGCAST_PRECONDITION(by < 64);
+  return a >> by;
+}
 template <int by>
 HWY_INLINE std::uint64_t ShiftLeft(std::uint64_t a) {
   return a << by;

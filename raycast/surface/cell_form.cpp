@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "csg/base/length.h"
+#include "csg/base/precondition.h"
 #include "csg/exact/quadric_form.h"
 
 namespace csgcast {
@@ -19,6 +21,7 @@ CellBox in_frame(const Box& box, const Frame& frame) {
 LocalForm local_form(const CellForm& form, const CellBox& box) { return local_form(form, box, slack_of(form, box)); }
 
 LocalForm local_form(const CellForm& form, const CellBox& box, double slack) {
+  CSGCAST_PRECONDITION(is_finite(box.lower) && is_finite(box.upper));
   using Form = QuadricForm;
   const auto& c = form.c;
   const Vector p = 0.5 * (box.upper + box.lower) - form.center;

@@ -53,10 +53,12 @@ struct Line {
 /// what comes after the start is told: no crossing at t = 0. Of a local surface (surface.h) only crossings in the
 /// frame's unit cube are told for certain: one that lies outside may be missing.
 struct LineCrossings {
+  LineCrossings() : few{} {}
+
   /// tau of the crossings, in the line's frame (line_frame.h).
   union {
-    std::array<double, 2> few{};  ///< if there are no more than two
-    const double* many;           ///< of more: in the line's memory
+    std::array<double, 2> few;     ///< if there are no more than two
+    std::span<const double> many;  ///< of more: in the line's memory
   };
   double error = 0;  ///< bound on |tau - exact tau|, of all
   std::uint8_t count = 0;

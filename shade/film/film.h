@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "csg/base/precondition.h"
 #include "csg/solid/look.h"
 
 namespace csgcast {
@@ -33,7 +34,9 @@ class Film {
       : width_(width),
         height_(height),
         content_(content),
-        values_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels(content)) {}
+        values_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels(content)) {
+    CSGCAST_PRECONDITION(width > 0 && height > 0);
+  }
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -46,7 +49,9 @@ class Film {
   void set(int x, int y, Rgb color) { set(x, y, std::span<const Rgb>(&color, 1)); }
   /// Pixels of one row, from x on. Precondition: three channels, and they are within the row.
   void set(int x, int y, std::span<const Rgb> colors) {
-    float* to = &values_[index(x, y)];
+    CSGCAST_PRECONDITION(channels(content_) == 3 && x >= 0 && y >= 0 && y < height_ &&
+                         static_cast<std::size_t>(x) + colors.size() <= static_cast<std::size_t>(width_));
+    auto* to = &values_[index(x, y)];
     for (const Rgb& color : colors) {
       to[0] = static_cast<float>(color.r);
       to[1] = static_cast<float>(color.g);

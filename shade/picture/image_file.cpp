@@ -53,18 +53,25 @@ const Format& format_of(const std::string& path) {
 
 void check_image_path(const std::string& path) { format_of(path); }
 
-void write_image(const Film& film, const std::string& path) {
+std::vector<std::byte> image_bytes(const Film& film, const std::string& path) {
   const Format& format = format_of(path);
   if (film.width() > format.longest_side || film.height() > format.longest_side) {
     throw Error(ErrorCode::limit, {path, 0, 0}, "the picture is too large for this kind of file",
                 "it holds at most " + std::to_string(format.longest_side) + " pixels a side", "write a .png or .exr");
   }
   try {
-    write_whole_file(path, format.file_of(film));
+    return format.file_of(film);
   } catch (const detail::PictureFailure& failure) {
-    throw Error(ErrorCode::input_output, {path, 0, 0}, "the picture cannot be encoded", failure.what(),
+    throw Error(ErrorCode::machine, {path, 0, 0}, "the picture cannot be encoded", failure.what(),
                 "try another kind of file");
   }
+}
+
+void write_image(const Film& film, const std::string& path) {
+  const Bytes bytes = image_bytes(film, path);
+  WholeFile file(path);
+  file.write(bytes);
+  file.commit();
 }
 
 }  // namespace csgcast

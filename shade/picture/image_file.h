@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "shade/film/film.h"
 
@@ -11,12 +13,15 @@ namespace csgcast {
 /// (either case).
 void check_image_path(const std::string& path);
 
-/// Writes a film: 8 bits a channel for .png, .jpg and .tif (see FilmContent for what they hold), the film's own numbers
-/// as 32-bit floats for .exr (channels R, G, B, or Z for depth, else Y).
+/// The content of a film's file, of the kind that the path's ending tells: 8 bits a channel for .png, .jpg and .tif
+/// (see FilmContent for what they hold), the film's own numbers as 32-bit floats for .exr (channels R, G, B, or Z for
+/// depth, else Y).
 ///
-/// The file appears whole: it is written beside its target, then renamed. On failure an existing file is left as it
-/// was, nothing is left behind, and Error(input_output) tells why. Throws as check_image_path() does, before anything
-/// else.
+/// Throws as check_image_path() does; Error(limit) for a picture that is too large for that kind; Error(machine) if its
+/// library fails.
+std::vector<std::byte> image_bytes(const Film& film, const std::string& path);
+
+/// Writes that as a WholeFile. Throws as image_bytes() and WholeFile do.
 void write_image(const Film& film, const std::string& path);
 
 }  // namespace csgcast

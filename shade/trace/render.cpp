@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -14,12 +12,12 @@
 #include <cmath>
 #include <ctime>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "csg/base/error.h"
+#include "raycast/packets/threads.h"
 #include "shade/film/camera.h"
 #include "shade/trace/detail/shading_lanes.h"
 #include "shade/trace/detail/tiles.h"
@@ -72,125 +70,64 @@ std::vector<detail::Tile> tiles_of(int width, int height) {
   return tiles;
 }
 
-// More than there are tiles would have nothing to do.
-int threads_of(const RenderOptions& options, std::size_t tiles) {
-  constexpr int most_threads = 1024;
-  const int wanted = options.threads > 0 ? std::min(options.threads, most_threads) : tbb::info::default_concurrency();
-  return static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(wanted), tiles));
-}
-
 // Of the whole process, all threads.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Tells how much is done, ascending, one thread at a time.
-class Progress {
- public:
-  Progress(const std::function<void(double)>& tell, std::size_t total) : tell_(tell), total_(total) {}
-
-  void add_one() {
-    if (!tell_) return;
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    tell_(static_cast<double>(done_) / static_cast<double>(total_));
-  }
-
- private:
-  const std::function<void(double)>& tell_;
-  std::size_t total_;
-  std::size_t done_ = 0;
-  std::mutex mutex_;
-};
-
-// The threads of a picture, and its tiles.
-class Threads {
- public:
-  explicit Threads(const RenderOptions& options)
-      : tiles_(tiles_of(options.width, options.height)), count_(threads_of(options, tiles_.size())), arena_(count_) {
-    // More threads than cores need leave; fewer are the arena's own business.
-    if (count_ > tbb::info::default_concurrency()) {
-      more_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count_));
-    }
-  }
-
-  std::size_t count() const { return static_cast<std::size_t>(count_); }
-  std::span<const detail::Tile> tiles() const { return tiles_; }
-
-  template <class Work>
-  void run(Work&& work) {
-    arena_.execute(work);
-  }
-
-  // Calls work(thread, tile) for each tile; threads count from 0.
-  template <class Work>
-  void each_tile(Work&& work) {
-    // A small picture is done before a scheduler is at work.
-    if (count_ == 1) {
-      for (const detail::Tile& tile : tiles_) work(std::size_t{0}, tile);
-      return;
-    }
-    run([&] {
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, tiles_.size(), 1),
-          [&](const auto& range) {
-            const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
-            for (std::size_t i = range.begin(); i < range.end(); ++i) work(thread, tiles_[i]);
-          },
-          tbb::simple_partitioner());
-    });
-  }
-
- private:
-  std::vector<detail::Tile> tiles_;
-  int count_;
-  std::optional<tbb::global_control> more_;
-  tbb::task_arena arena_;
-};
-
-// These threads, each with a renderer of its own.
+// The threads of a picture's tiles, each with a renderer of its own.
 class Workers {
  public:
-  Workers(Threads& threads, const detail::Job& job) : threads_(threads), job_(job), renderers_(threads.count()) {}
+  Workers(const detail::Job& job, int width, int height) : job_(job), tiles_(tiles_of(width, height)) {}
 
-  std::size_t tiles() const { return threads_.tiles().size(); }
+  std::size_t tiles() const { return tiles_.size(); }
 
   // Calls work(renderer, tile) for each tile.
   template <class Work>
   void each_tile(Work&& work) {
-    threads_.each_tile([&](std::size_t thread, const detail::Tile& tile) {
-      std::unique_ptr<detail::TileRenderer>& renderer = renderers_[thread];
-      if (!renderer) renderer = std::make_unique<detail::TileRenderer>(job_);
-      work(*renderer, tile);
-    });
+    // A small picture is done before a scheduler is at work.
+    if (tiles_.size() == 1 || thread_count() == 1) {
+      for (const detail::Tile& tile : tiles_) work(renderer(), tile);
+      return;
+    }
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, tiles_.size(), 1),
+        [&](const auto& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) work(renderer(), tiles_[i]);
+        },
+        tbb::simple_partitioner());
   }
 
   RenderReport report() const {
     RenderReport report;
-    for (const auto& renderer : renderers_) {
-      if (renderer) report += renderer->report();
-    }
+    for (const auto& renderer : renderers_) report += renderer->report();
     return report;
   }
 
  private:
-  Threads& threads_;
+  detail::TileRenderer& renderer() {
+    std::unique_ptr<detail::TileRenderer>& own = renderers_.local();
+    if (!own) own = std::make_unique<detail::TileRenderer>(job_);
+    return *own;
+  }
+
   const detail::Job& job_;
-  std::vector<std::unique_ptr<detail::TileRenderer>> renderers_;  // null until the thread has a tile
+  std::vector<detail::Tile> tiles_;
+  tbb::enumerable_thread_specific<std::unique_ptr<detail::TileRenderer>> renderers_;
 };
 
 // All pixels with one sample, then those again that this is not enough for. Each step ends before the next begins.
-void fill_adaptively(Workers& workers, Film& film, const std::function<void(double)>& tell) {
+void fill_adaptively(Workers& workers, Film& film, const ProgressCallback& callback) {
   using detail::Tile;
   using detail::TileRenderer;
-  Progress progress(tell, 2 * workers.tiles());
+  ProgressTeller progress(callback, 2 * workers.tiles());
   workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
     renderer.render(tile, film);
-    progress.add_one();
+    progress.step();
   });
   detail::Refinement refinement(film.width(), film.height());
   workers.each_tile([&](TileRenderer&, const Tile& tile) { refinement.choose_contrasts(film, tile); });
   workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
     renderer.refine(tile, refinement, film);
-    progress.add_one();
+    progress.step();
   });
   // What a tile chose in another one that was done by then.
   std::atomic<bool> again = true;
@@ -199,14 +136,62 @@ void fill_adaptively(Workers& workers, Film& film, const std::function<void(doub
       if (renderer.refine(tile, refinement, film)) again = true;
     });
   }
+  progress.finish();
 }
 
-void fill(Workers& workers, Film& film, const std::function<void(double)>& tell) {
-  Progress progress(tell, workers.tiles());
+void fill(Workers& workers, Film& film, const ProgressCallback& callback) {
+  ProgressTeller progress(callback, workers.tiles());
   workers.each_tile([&](detail::TileRenderer& renderer, const detail::Tile& tile) {
     renderer.render(tile, film);
-    progress.add_one();
+    progress.step();
   });
+  progress.finish();
+}
+
+// A picture, on the threads of the present arena.
+Film render_here(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report) {
+  using Clock = std::chrono::steady_clock;
+  const Camera camera(view.camera, options.width, options.height);
+  // What is there before the first ray: memory for the picture, and the code for this machine. Before the cells, which
+  // are to be in the cache then.
+  Film film(options.width, options.height, content(options.mode));
+  detail::shading_code(options.instructions);
+  const auto before_cells = Clock::now();
+  std::optional<Cells> cells;
+  const bool suits_packets =
+      options.mode == Mode::shaded ? detail::PacketTracer::suits(scene, view, camera) : camera.rays_are_in_range();
+  if (options.engine == Engine::packets && suits_packets) cells.emplace(scene);
+  std::optional<LayerCells> layer_cells;
+  const bool suits_layers = options.mode == Mode::shaded && LayerCells::suits(scene) && view.settings.max_depth > 0;
+  if (options.engine == Engine::packets && suits_layers) layer_cells.emplace(scene);
+  const auto start = Clock::now();
+  const double cpu_start = cpu_seconds();
+  const int grid = grid_of(options);
+  const Sampling sampling = grid > 1 ? options.sampling : Sampling::regular;
+  const detail::Job job{.scene = scene,
+                        .view = view,
+                        .camera = camera,
+                        .mode = options.mode,
+                        .grid = grid,
+                        .sampling = sampling,
+                        .cells = cells ? &*cells : nullptr,
+                        .layer_cells = layer_cells ? &*layer_cells : nullptr,
+                        .instructions = options.instructions};
+  Workers workers(job, options.width, options.height);
+  const bool adaptive = sampling == Sampling::adaptive;
+  adaptive ? fill_adaptively(workers, film, options.progress) : fill(workers, film, options.progress);
+  if (report != nullptr) {
+    RenderReport cost = workers.report();
+    const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(options.height);
+    if (adaptive) {
+      cost.skipped.primary_like_neighbours = (pixels - cost.refined_pixels) * static_cast<unsigned>(grid * grid - 1);
+    }
+    cost.cells_seconds = std::chrono::duration<double>(start - before_cells).count();
+    cost.cpu_seconds = cpu_seconds() - cpu_start;
+    cost.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    *report += cost;
+  }
+  return film;
 }
 
 }  // namespace
@@ -229,50 +214,10 @@ FilmContent content(Mode mode) {
 }
 
 Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report) {
-  using Clock = std::chrono::steady_clock;
   check(options);
-  const Camera camera(view.camera, options.width, options.height);
-  Threads threads(options);
-  // What is there before the first ray: memory for the picture, and the code for this machine. Before the cells, which
-  // are to be in the cache then.
-  Film film(options.width, options.height, content(options.mode));
-  detail::shading_code(options.instructions);
-  const auto before_cells = Clock::now();
-  std::optional<Cells> cells;
-  const bool suits_packets =
-      options.mode == Mode::shaded ? detail::PacketTracer::suits(scene, view, camera) : camera.rays_are_in_range();
-  if (options.engine == Engine::packets && suits_packets) threads.run([&] { cells.emplace(scene); });
-  std::optional<LayerCells> layer_cells;
-  const bool suits_layers = options.mode == Mode::shaded && LayerCells::suits(scene) && view.settings.max_depth > 0;
-  if (options.engine == Engine::packets && suits_layers) threads.run([&] { layer_cells.emplace(scene); });
-  const auto start = Clock::now();
-  const double cpu_start = cpu_seconds();
-  const int grid = grid_of(options);
-  const Sampling sampling = grid > 1 ? options.sampling : Sampling::regular;
-  const detail::Job job{.scene = scene,
-                        .view = view,
-                        .camera = camera,
-                        .mode = options.mode,
-                        .grid = grid,
-                        .sampling = sampling,
-                        .cells = cells ? &*cells : nullptr,
-                        .layer_cells = layer_cells ? &*layer_cells : nullptr,
-                        .instructions = options.instructions};
-  Workers workers(threads, job);
-  const bool adaptive = sampling == Sampling::adaptive;
-  adaptive ? fill_adaptively(workers, film, options.progress) : fill(workers, film, options.progress);
-  if (report != nullptr) {
-    RenderReport cost = workers.report();
-    const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(options.height);
-    if (adaptive) {
-      cost.skipped.primary_like_neighbours = (pixels - cost.refined_pixels) * static_cast<unsigned>(grid * grid - 1);
-    }
-    cost.cells_seconds = std::chrono::duration<double>(start - before_cells).count();
-    cost.cpu_seconds = cpu_seconds() - cpu_start;
-    cost.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    *report += cost;
-  }
-  return film;
+  std::optional<Film> film;
+  on_threads(options.threads, [&] { film = render_here(scene, view, options, report); });
+  return std::move(*film);
 }
 
 std::string trace_pixel(const Scene& scene, const View& view, const RenderOptions& options, int x, int y) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 
+#include "csg/base/progress.h"
 #include "raycast/ray/caster.h"
 #include "raycast/scene/scene.h"
 #include "shade/film/film.h"
@@ -49,16 +49,14 @@ struct RenderOptions {
   Engine engine = Engine::packets;
   /// What packets are made for: one of PacketCaster::instruction_sets(); by default the best. The picture is the same.
   std::string instructions;
-  int threads = 0;  ///< 0: all cores
-  /// Called now and then with the share done, ascending in [0, 1], by one thread at a time; what it throws ends the
-  /// render.
-  std::function<void(double done)> progress{};
+  int threads = 0;  ///< as of on_threads() (raycast/packets/threads.h); 0: those of the present arena
+  ProgressCallback progress{};
 };
 
 /// A picture, the same bit for bit on any number of threads. Throws Error(limit) for a size or number of samples that
 /// is not positive or too large (65,536 pixels a side, 2^27 in all, 1,024 samples), Error(bad_value) for a view that no
 /// camera has, Error(usage) for adaptive samples in a mode other than shaded, or instructions that the machine does not
-/// have. Adds to *report if it is not null.
+/// have; Cancelled. Adds to *report if it is not null.
 Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report = nullptr);
 
 /// The tree of rays of one pixel's centre as indented text, a line for each ray: kind, weight, t and place of the hit,

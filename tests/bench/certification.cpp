@@ -84,7 +84,7 @@ class LaneRun {
  public:
   LaneRun(const Cells& cells, const test::RayBatch& rays)
       : cells_(cells),
-        rays_(rays.arrays()),
+        rays_(detail::pointers_of(rays.arrays())),
         state_(rays.size()),
         t_(rays.size()),
         surface_(rays.size()),
@@ -123,7 +123,7 @@ class LaneRun {
   }
 
   const Cells& cells_;
-  RayArrays rays_;
+  detail::RayPointers rays_;
   std::vector<std::uint8_t> state_;
   std::vector<double> t_;
   std::vector<std::uint32_t> surface_;

@@ -21,12 +21,12 @@ struct BlockAnswers {
 };
 
 inline void ask(PacketCaster& caster, RayQuery query, Rounding rounding, const RayArrays& rays, BlockAnswers& answers) {
-  const HitArrays hits{answers.state.data(), answers.t.data(), answers.surface.data(), answers.root.data()};
+  const HitArrays hits{answers.state, answers.t, answers.surface, answers.root};
   switch (query) {
     case RayQuery::first_hit:
       return caster.first_hits(rays, hits, rounding);
     case RayQuery::any_hit:
-      return caster.any_hits(rays, answers.state.data());
+      return caster.any_hits(rays, answers.state);
     case RayQuery::lists:
       return caster.intervals(rays, answers.lists, rounding);
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/c/csgcast.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,7 @@ TEST_CASE("C: intervals, points and measures of a text") {
   const std::vector<double> origins{-5, 0.5, 0.5, 0, 0, 9};
   const std::vector<double> directions{1, 0, 0, 0, 1, 0};
   csgcast_intervals table;
-  REQUIRE(csgcast_cast(owner.model, 2, origins.data(), directions.data(), 0, HUGE_VAL, &table) == CSGCAST_OK);
+  REQUIRE(csgcast_cast(owner.model, 2, origins.data(), directions.data(), 0, HUGE_VAL, nullptr, &table) == CSGCAST_OK);
   CHECK(std::string(csgcast_last_error()).empty());
   REQUIRE(table.rays == 2);
   REQUIRE(table.count == 2);
@@ -45,11 +47,11 @@ TEST_CASE("C: intervals, points and measures of a text") {
 
   const std::vector<double> points{0.5, 0.5, 0.5, 0, 0.5, 0.5, 9, 9, 9};
   std::vector<int8_t> where(3);
-  REQUIRE(csgcast_locate(owner.model, 3, points.data(), where.data()) == CSGCAST_OK);
+  REQUIRE(csgcast_locate(owner.model, 3, points.data(), nullptr, where.data()) == CSGCAST_OK);
   CHECK(where == std::vector<int8_t>{1, 0, -1});
 
   csgcast_measures measures;
-  REQUIRE(csgcast_measure(owner.model, 1e-7, 1e-3, &measures) == CSGCAST_OK);
+  REQUIRE(csgcast_measure(owner.model, 1e-7, 1e-3, nullptr, &measures) == CSGCAST_OK);
   CHECK(measures.is_bounded == 1);
   CHECK(measures.is_as_asked == 1);
   const double volume = 1 + 4.0 / 3 * M_PI;
@@ -72,8 +74,8 @@ TEST_CASE("C: first hits, any hits, parts, and measures of parts") {
   double t[3];
   uint32_t surfaces[3];
   uint8_t is_entry[3];
-  REQUIRE(csgcast_first_hits(owner.model, 3, origins.data(), directions.data(), 0, HUGE_VAL, t, surfaces, is_entry) ==
-          CSGCAST_OK);
+  REQUIRE(csgcast_first_hits(owner.model, 3, origins.data(), directions.data(), 0, HUGE_VAL, nullptr, t, surfaces,
+                             is_entry) == CSGCAST_OK);
   CHECK(t[0] == 5);
   CHECK(t[1] == 0.25);
   CHECK(std::isinf(t[2]));
@@ -81,19 +83,20 @@ TEST_CASE("C: first hits, any hits, parts, and measures of parts") {
   CHECK(surfaces[2] == CSGCAST_NONE);
   CHECK(is_entry[0] == 1);
   CHECK(is_entry[1] == 0);
-  REQUIRE(csgcast_first_hits(owner.model, 3, origins.data(), directions.data(), 5.5, HUGE_VAL, t, nullptr, nullptr) ==
-          CSGCAST_OK);
+  REQUIRE(csgcast_first_hits(owner.model, 3, origins.data(), directions.data(), 5.5, HUGE_VAL, nullptr, t, nullptr,
+                             nullptr) == CSGCAST_OK);
   CHECK(t[0] == 6);
   uint8_t is_hit[3];
-  REQUIRE(csgcast_any_hits(owner.model, 3, origins.data(), directions.data(), 0, 5, is_hit) == CSGCAST_OK);
+  REQUIRE(csgcast_any_hits(owner.model, 3, origins.data(), directions.data(), 0, 5, nullptr, is_hit) == CSGCAST_OK);
   CHECK(is_hit[0] == 0);
   CHECK(is_hit[1] == 1);
   CHECK(is_hit[2] == 0);
-  CHECK(csgcast_any_hits(owner.model, 1, origins.data(), directions.data(), 0, 5, nullptr) == CSGCAST_BAD_INPUT);
-  CHECK(csgcast_first_hits(owner.model, 1, nullptr, nullptr, 0, 5, t, nullptr, nullptr) == CSGCAST_BAD_INPUT);
+  CHECK(csgcast_any_hits(owner.model, 1, origins.data(), directions.data(), 0, 5, nullptr, nullptr) ==
+        CSGCAST_BAD_INPUT);
+  CHECK(csgcast_first_hits(owner.model, 1, nullptr, nullptr, 0, 5, nullptr, t, nullptr, nullptr) == CSGCAST_BAD_INPUT);
 
   csgcast_measures measures[3];
-  REQUIRE(csgcast_measure_parts(owner.model, 1e-6, 1e-3, measures) == CSGCAST_OK);
+  REQUIRE(csgcast_measure_parts(owner.model, 1e-6, 1e-3, nullptr, measures) == CSGCAST_OK);
   CHECK(std::fabs(measures[0].mass - 4) <= measures[0].mass_error);
   CHECK(std::fabs(measures[1].mass - 2) <= measures[1].mass_error);
   CHECK(std::fabs(measures[2].volume - 2) <= measures[2].volume_error);
@@ -107,7 +110,7 @@ TEST_CASE("C: facets, welding and parts are chosen on loading") {
     REQUIRE(csgcast_read_with(text.data(), text.size(), "text", &options, &model) == CSGCAST_OK);
     csgcast_measures measures;
     CHECK(csgcast_part_count(model) == 1);
-    REQUIRE(csgcast_measure(model, 1e-6, 1e-2, &measures) == CSGCAST_OK);
+    REQUIRE(csgcast_measure(model, 1e-6, 1e-2, nullptr, &measures) == CSGCAST_OK);
     csgcast_free(model);
     return measures.volume;
   };
@@ -127,6 +130,77 @@ TEST_CASE("C: facets, welding and parts are chosen on loading") {
   CHECK(model == nullptr);
 }
 
+namespace {
+
+/// What a monitor is told, and when it cancels.
+struct Told {
+  std::vector<double> shares;
+  double last_error = 0;
+  std::size_t most = 1000;  // at this call it cancels
+
+  csgcast_monitor monitor() { return {progress, this}; }
+  static int progress(const csgcast_progress* now, void* data) {
+    auto& told = *static_cast<Told*>(data);
+    told.shares.push_back(now->share);
+    told.last_error = now->relative_error;
+    return told.shares.size() < told.most ? 1 : 0;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("C: every function that takes a monitor tells it how far it is, and is cancelled by it") {
+  const ModelOwner owner("part(\"left\") { cube(1); }\ntranslate([2, 0, 0]) { sphere(1, $fn = 50); }");
+  constexpr std::size_t count = 20000;
+  const std::vector<double> origins(3 * count, 0.25), directions(3 * count, 1);
+  std::vector<double> t(count);
+  std::vector<uint8_t> is_hit(count);
+  std::vector<int8_t> where(count);
+  csgcast_measures measures[2];
+  using Monitor = const csgcast_monitor*;
+  const csgcast_model* model = owner.model;
+  const double *o = origins.data(), *d = directions.data();
+  const std::vector<std::pair<std::string, std::function<csgcast_status(Monitor)>>> calls{
+      {"cast",
+       [&](Monitor monitor) {
+         csgcast_intervals table;
+         const csgcast_status status = csgcast_cast(model, count, o, d, 0, HUGE_VAL, monitor, &table);
+         CHECK((table.memory != nullptr) == (status == CSGCAST_OK));
+         csgcast_free_intervals(&table);
+         return status;
+       }},
+      {"first_hits",
+       [&](Monitor monitor) {
+         return csgcast_first_hits(model, count, o, d, 0, HUGE_VAL, monitor, t.data(), nullptr, nullptr);
+       }},
+      {"any_hits",
+       [&](Monitor monitor) { return csgcast_any_hits(model, count, o, d, 0, HUGE_VAL, monitor, is_hit.data()); }},
+      {"locate", [&](Monitor monitor) { return csgcast_locate(model, count, o, monitor, where.data()); }},
+      {"measure", [&](Monitor monitor) { return csgcast_measure(model, 1e-6, 1e-3, monitor, measures); }},
+      {"measure_parts", [&](Monitor monitor) { return csgcast_measure_parts(model, 1e-6, 1e-3, monitor, measures); }},
+  };
+  for (const auto& [name, call] : calls) {
+    INFO(name);
+    Told all;
+    const csgcast_monitor listens = all.monitor();
+    REQUIRE(call(&listens) == CSGCAST_OK);
+    REQUIRE(all.shares.size() >= 2);
+    CHECK(std::is_sorted(all.shares.begin(), all.shares.end()));
+    CHECK(all.shares.front() >= 0);
+    CHECK(all.shares.back() == 1);
+    Told some;
+    some.most = 2;
+    const csgcast_monitor cancels = some.monitor();
+    CHECK(call(&cancels) == CSGCAST_CANCELLED);
+    CHECK(some.shares.size() == 2);
+    CHECK(std::isnan(some.last_error) == (name.find("measure") == std::string::npos));
+    CHECK_FALSE(std::string(csgcast_last_error()).empty());
+    const csgcast_monitor silent{};
+    CHECK(call(&silent) == CSGCAST_OK);
+    CHECK(call(nullptr) == CSGCAST_OK);
+  }
+}
+
 TEST_CASE("C: what is wrong is said, and nothing else happens") {
   csgcast_model* model = reinterpret_cast<csgcast_model*>(1);
   CHECK(csgcast_load("/nowhere/at/all.csg", &model) == CSGCAST_BAD_INPUT);
@@ -141,16 +215,16 @@ TEST_CASE("C: what is wrong is said, and nothing else happens") {
   const ModelOwner owner("cube(1);");
   const double zero[] = {0, 0, 0};
   csgcast_intervals table;
-  CHECK(csgcast_cast(owner.model, 1, zero, zero, 0, HUGE_VAL, &table) == CSGCAST_BAD_INPUT);
+  CHECK(csgcast_cast(owner.model, 1, zero, zero, 0, HUGE_VAL, nullptr, &table) == CSGCAST_BAD_INPUT);
   CHECK(last_error_has("ray 0"));
   CHECK(table.memory == nullptr);
-  CHECK(csgcast_cast(owner.model, 1, nullptr, zero, 0, HUGE_VAL, &table) == CSGCAST_BAD_INPUT);
-  CHECK(csgcast_cast(nullptr, 0, nullptr, nullptr, 0, HUGE_VAL, &table) == CSGCAST_BAD_INPUT);
-  CHECK(csgcast_cast(owner.model, 0, nullptr, nullptr, 0, HUGE_VAL, &table) == CSGCAST_OK);
+  CHECK(csgcast_cast(owner.model, 1, nullptr, zero, 0, HUGE_VAL, nullptr, &table) == CSGCAST_BAD_INPUT);
+  CHECK(csgcast_cast(nullptr, 0, nullptr, nullptr, 0, HUGE_VAL, nullptr, &table) == CSGCAST_BAD_INPUT);
+  CHECK(csgcast_cast(owner.model, 0, nullptr, nullptr, 0, HUGE_VAL, nullptr, &table) == CSGCAST_OK);
   CHECK(table.count == 0);
   csgcast_free_intervals(&table);
   csgcast_measures measures;
-  CHECK(csgcast_measure(owner.model, -1, 1, &measures) == CSGCAST_BAD_INPUT);
-  CHECK(csgcast_locate(owner.model, 1, nullptr, nullptr) == CSGCAST_BAD_INPUT);
+  CHECK(csgcast_measure(owner.model, -1, 1, nullptr, &measures) == CSGCAST_BAD_INPUT);
+  CHECK(csgcast_locate(owner.model, 1, nullptr, nullptr, nullptr) == CSGCAST_BAD_INPUT);
   CHECK(std::string(csgcast_version()).size() >= 5);
 }

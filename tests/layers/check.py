@@ -9,7 +9,8 @@ themselves, but for detail/.
 
 Headers. Paths start with the module's name, and a .cpp includes its own header first. What stands in a room's detail/
 is for that room and the tests. The public headers of a module are those that its CMakeLists.txt lists: they include
-public headers only and name nothing of namespace detail; other modules include nothing else (SHARED: but these).
+public headers only and name nothing of namespace detail; other modules include nothing else (SHARED: but these). They
+take and give arrays of numbers as spans or vectors, not as pointers, but for the C interface.
 
 Classes. The member functions of a class stand in one .cpp, or in several that all bear the class's name.
 
@@ -64,6 +65,7 @@ FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)')
 COMMENT_OR_LITERAL = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"(?P<tag>[^(\s]*)\(.*?\)(?P=tag)"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\'', re.S)
+NUMBER_POINTER = re.compile(r"\b(?:double|float|int|long|size_t|u?int\d+_t)(?: const)? ?\*")
 MEMBER = re.compile(r"^(?=\S)(?:[\w:<>,&*\[\] ]+[ &*])?((?:\w+::)+)(?:~?\w+|operator[^\s(]+) ?\(", re.M)
 
 
@@ -171,6 +173,8 @@ def check_public(name, text):
     for number, line in enumerate(code_only(text).splitlines(), 1):
         if re.search(r"\bdetail\b", line):
             yield f"{name}:{number}: a public header names detail"
+        if NUMBER_POINTER.search(line) and not name.startswith("bindings/c/"):
+            yield f"{name}:{number}: a public header has a pointer to numbers"
 
 
 def check_tests(name, text):

@@ -91,6 +91,11 @@ class Breach(unittest.TestCase):
         self.assert_breach("csg/base/a.h:1: a public header names detail",
                            {"csg/CMakeLists.txt": listing("base/a.h"), "csg/base/a.h": "namespace csgcast::detail { class B; }\n"})
 
+    def test_a_public_header_that_takes_an_array_as_a_pointer(self):
+        for pointer in ("double* t", "const double *t", "std::uint8_t* state", "const std::size_t* ends", "double const* t"):
+            self.assert_breach("csg/base/a.h:1: a public header has a pointer to numbers",
+                               {"csg/CMakeLists.txt": listing("base/a.h"), "csg/base/a.h": f"void ask({pointer});\n"})
+
     def test_a_public_header_that_is_not_there(self):
         self.assert_breach("csg/base/a.h:1: listed as a public header", {"csg/CMakeLists.txt": listing("base/a.h")})
 

@@ -167,9 +167,9 @@ TEST_CASE("Whoever asks may have enough before the end") {
   MeasureOptions options;
   options.relative_error = 1e-9;
   double last = 0;
-  options.goes_on = [&](double error) {
+  options.is_enough = [&](double error) {
     last = error;
-    return error > 1e-3;
+    return error <= 1e-3;
   };
   const Measures m = measured(sphere(1), options);
   CHECK_FALSE(m.is_as_asked);
@@ -188,6 +188,17 @@ TEST_CASE("Far from the origin and in small and large units errors stay what the
       CHECK(m.centroid_error < 1e-3 * size);
     }
   }
+}
+
+TEST_CASE("A part that may be unbounded adds no mass, in a bounded whole either") {
+  const Solid parts = named(box({1, 1, 1}), {"block", 2}) + named(halfspace({0, 0, 1}, 0.5), {"ground", 3});
+  const SceneMeasures found = measure(compile(parts & box({2, 2, 2})));
+  REQUIRE(found.parts.size() == 2);
+  CHECK(found.parts[0].is_bounded);
+  CHECK_FALSE(found.parts[1].is_bounded);
+  CHECK(found.whole.is_bounded);
+  CHECK(holds(found.whole.volume, 4 * 0.5 + 0.5));
+  CHECK(holds(found.whole.mass, 2));
 }
 
 TEST_CASE("What makes no sense is refused") {

@@ -67,7 +67,6 @@ TEST_CASE("At the first face of rays: thickness, nothing where they miss, infini
   const double ox[] = {0, 0.6, 3, 5.5, -9}, oy[] = {0, 0, 0, 0.5, 0}, oz[] = {9, 9, 9, 19, 9};
   const double dx[] = {0, 0, 0, 0, 0}, dz[] = {-1, -1, -1, -1, -1};
   RayArrays rays;
-  rays.count = 5;
   rays.origin[0] = ox;
   rays.origin[1] = oy;
   rays.origin[2] = oz;

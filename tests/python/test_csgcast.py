@@ -191,24 +191,93 @@ def test_results_outlive_the_model():
     assert t.tolist() == [[4, 6]]
 
 
-def test_progress_tells_and_what_it_raises_ends_the_query(model):
-    origins = np.zeros((200000, 3)) + [0.7, 0.7, -5]
+MANY = np.zeros((20000, 3)) + [0.7, 0.7, -5]
+
+# Every method that takes a progress callback.
+LONG_CALLS = {
+    "intervals": lambda m, progress: m.intervals(MANY, [0, 0, 1], progress=progress).t,
+    "first_hits": lambda m, progress: m.first_hits(MANY, [0, 0, 1], progress=progress).t,
+    "any_hits": lambda m, progress: m.any_hits(MANY, [0, 0, 1], progress=progress),
+    "locate": lambda m, progress: m.locate(MANY, progress=progress),
+    "measure": lambda m, progress: m.measure(progress=progress).volume,
+    "section": lambda m, progress: m.section([0, 0.1, 1], progress=progress).area,
+    "thinnest": lambda m, progress: m.thinnest(30, progress=progress)[0],
+    "check": lambda m, progress: m.check(progress=progress).not_asked,
+    "render": lambda m, progress: m.render(100, 80, progress=progress),
+}
+
+
+def test_the_list_of_long_calls_is_whole():
+    taking = {name for name, method in inspect.getmembers(csgcast.Model, inspect.isfunction)
+              if "progress" in inspect.signature(method).parameters}
+    assert taking == set(LONG_CALLS)
+
+
+@pytest.mark.parametrize("name", LONG_CALLS)
+def test_progress_tells_cancels_by_false_and_passes_on_what_it_raises(model, name):
+    call = LONG_CALLS[name]
+    want = call(model, None)
     shares = []
-    model.intervals(origins, [0, 0, 1], progress=shares.append)
-    assert shares == sorted(shares) and 0 < shares[0] <= shares[-1] <= 1
+    assert np.array_equal(call(model, shares.append), want)
+    assert shares == sorted(shares) and len(shares) >= 2 and 0 <= shares[0] <= 1 and shares[-1] == 1
+    for goes_on in (None, True, 0, "", np.True_):
+        assert np.array_equal(call(model, lambda share: goes_on), want)
+    for cancels in (False, np.False_):
+        told = []
+
+        def stop(share):
+            told.append(share)
+            return cancels if len(told) == 2 else None
+
+        with pytest.raises(csgcast.Cancelled):
+            call(model, stop)
+        assert len(told) == 2
 
     class Enough(Exception):
         pass
 
-    def stop(share):
+    def fail(share):
         raise Enough
 
     with pytest.raises(Enough):
-        model.intervals(origins, [0, 0, 1], progress=stop)
-    with pytest.raises(Enough):
-        model.measure(1e-9, progress=stop)
-    with pytest.raises(Enough):
-        model.render(400, 300, progress=stop)
+        call(model, fail)
+
+
+def test_a_cancelled_picture_is_not_written(tmp_path, model):
+    (tmp_path / "a.png").write_text("old")
+    with pytest.raises(csgcast.Cancelled):
+        model.render(100, 80, path=tmp_path / "a.png", progress=lambda share: False)
+    assert (tmp_path / "a.png").read_text() == "old"
+
+
+def test_a_measure_may_be_enough(model):
+    errors = []
+
+    def enough(error):
+        errors.append(error)
+        return error < 1e-2
+
+    rough = model.measure(1e-9, enough=enough)
+    assert not rough.as_asked and errors[-1] < 1e-2 <= errors[-2]
+    assert abs(rough.volume - model.measure(1e-6).volume) <= 1.01 * rough.volume_error
+    with pytest.raises(ZeroDivisionError):
+        model.measure(1e-9, enough=lambda error: 1 / 0)
+
+
+@pytest.mark.parametrize("mode", [0o600, 0o640, 0o755])
+def test_files_keep_their_permissions_and_links(tmp_path, model, mode):
+    (tmp_path / "link.csg").symlink_to("a.csg")
+    (tmp_path / "link.png").symlink_to("a.png")
+    for name in ("a.csg", "a.png"):
+        (tmp_path / name).write_text("old")
+        (tmp_path / name).chmod(mode)
+    csgcast.save(angel(), tmp_path / "link.csg")
+    model.render(20, 10, path=tmp_path / "link.png")
+    for name in ("a.csg", "a.png"):
+        assert (tmp_path / name).stat().st_mode & 0o777 == mode and (tmp_path / name).read_bytes() != b"old"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.csg", "a.png", "link.csg", "link.png"]
+    with pytest.raises(csgcast.Error):
+        csgcast.save(angel(), tmp_path / "no" / "a.csg")
 
 
 @pytest.mark.parametrize("call", [

@@ -206,15 +206,15 @@ TEST_CASE("A query tells how far it is and can be ended") {
   QueryOptions options;
   double last = 0;
   bool ascends = true;
-  options.goes_on = [&](double done) {
-    ascends = ascends && done >= last && done <= 1;
-    last = done;
+  options.progress = [&](const Progress& progress) {
+    ascends = ascends && progress.share >= last && progress.share <= 1;
+    last = progress.share;
     return true;
   };
   model.intervals(numbers.rays(), options);
   CHECK(ascends);
-  CHECK(last > 0.5);
-  options.goes_on = [](double) { return false; };
+  CHECK(last == 1);
+  options.progress = [](const Progress&) { return false; };
   CHECK_THROWS_AS(model.intervals(numbers.rays(), options), Cancelled);
 }
 

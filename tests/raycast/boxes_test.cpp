@@ -54,7 +54,7 @@ void check_all(const Scene& scene, std::uint64_t seed) {
     CHECK(caster.left_to_caster().size() < rays.size() / 10);
     asked.whole_line = true;
     check_lists(cells, caster, asked, rays);
-    asked.end = ends.data();
+    asked.end = ends;
     check_lists(cells, caster, asked, rays);
     asked.whole_line = false;
     check_lists(cells, caster, asked, rays);
@@ -176,7 +176,7 @@ TEST_CASE("a segment within a solid meets no surface, and is inside all the same
   const RayBatch rays(std::vector<Ray>(8, Ray({0.999, 0.999, 0.999}, {-1, -1, -1})));
   const std::vector<double> ends(8, 1e-4);
   RayArrays asked = rays.arrays();
-  asked.end = ends.data();
+  asked.end = ends;
   PacketCaster caster(cells);
   check_lists(cells, caster, asked, rays);
   IntervalBatch batch;

@@ -75,7 +75,7 @@ TEST_CASE("arrays of rays get the scalar caster's answers, however many there ar
     IntervalBatch batch;
     for (const Rounding rounding : {Rounding::nearest, Rounding::close}) {
       packets.first_hits(shots.rays.arrays(), shots.hits(), rounding);
-      packets.any_hits(shots.rays.arrays(), any.data());
+      packets.any_hits(shots.rays.arrays(), any);
       packets.intervals(shots.rays.arrays(), batch, rounding);
       REQUIRE(batch.offsets.size() == count + 1);
       for (std::size_t i = 0; i < count; ++i) {
@@ -131,13 +131,13 @@ TEST_CASE("whole lines in unbounded solids, of all directions in one packet, hav
     Shots shots(rays);
     RayArrays lines = shots.rays.arrays();
     lines.whole_line = true;
-    lines.end = ends.data();
+    lines.end = ends;
     for (const PacketCaster::Width width : {PacketCaster::Width::packet, PacketCaster::Width::single}) {
       PacketCaster caster(cells, width);
       IntervalBatch batch;
       caster.intervals(lines, batch);
       std::vector<std::uint8_t> any(rays.size());
-      caster.any_hits(lines, any.data());
+      caster.any_hits(lines, any);
       for (std::size_t i = 0; i < rays.size(); ++i) {
         const Span span{-HUGE_VAL, ends[i]};
         scalar.begin(rays[i]);
@@ -176,7 +176,7 @@ TEST_CASE("lists end where arrays of rays do") {
   Shots shots({Ray({0, 0, -3}, {0, 0, 1}), Ray({0, 0, 0}, {0, 0, 1}), Ray({0, 0, -3}, {0, 0, 1})});
   RayArrays rays = shots.rays.arrays();
   const std::array<double, 3> end{3, 0.5, 1};
-  rays.end = end.data();
+  rays.end = end;
   IntervalBatch batch;
   caster.intervals(rays, batch);
   REQUIRE(batch.offsets == std::vector<std::size_t>{0, 1, 2, 2});

@@ -44,7 +44,7 @@ TEST_CASE("the places of up to two crossings are told, and of more") {
   three[1] = 0.5;
   three[2] = 7;
   found.count = 3;
-  found.many = three.data();
+  found.many = three;
   const CrossingView last{SurfaceId(0), nullptr, &found, 2};
   CHECK(found.tau(0) == -2);
   CHECK(found.tau(1) == 0.5);

@@ -177,7 +177,10 @@ TEST_CASE("adaptive samples of one a pixel are regular ones, and other modes tha
 TEST_CASE("the progress of an adaptive picture ascends to 1") {
   RenderOptions options = with_samples(4, Sampling::adaptive);
   std::vector<double> told;
-  options.progress = [&](double done) { told.push_back(done); };
+  options.progress = [&](const Progress& progress) {
+    told.push_back(progress.share);
+    return true;
+  };
   render(compile(angel()), standard_view(), options);
   REQUIRE(std::is_sorted(told.begin(), told.end()));
   REQUIRE(told.back() == 1);

@@ -89,16 +89,20 @@ TEST_CASE("the report counts a ray for each that was cast") {
   REQUIRE(report.seconds > 0);
 }
 
-TEST_CASE("progress ascends to 1, and what it throws ends the render") {
+TEST_CASE("progress tells of each tile on one thread, ascends to 1, and what it throws ends the render") {
   const Scene scene = compile(angel());
   RenderOptions options = picture(100, 100);
   std::vector<double> told;
-  options.progress = [&](double done) { told.push_back(done); };
+  options.threads = 1;
+  options.progress = [&](const Progress& progress) {
+    told.push_back(progress.share);
+    return true;
+  };
   render(scene, standard_view(), options);
   REQUIRE(told.size() == 16);
   REQUIRE(std::is_sorted(told.begin(), told.end()));
   REQUIRE(told.back() == 1);
-  options.progress = [](double) { throw std::runtime_error("enough"); };
+  options.progress = [](const Progress&) -> bool { throw std::runtime_error("enough"); };
   REQUIRE_THROWS_WITH(render(scene, standard_view(), options), "enough");
 }
 

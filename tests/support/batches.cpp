@@ -40,12 +40,12 @@ void check_lists(const Cells& cells, PacketCaster& caster, const RayArrays& aske
     REQUIRE(found.faces.size() == 2 * found.intervals.size());
     for (std::size_t i = 0; i < batch.size(); ++i) {
       std::optional<Departure> departure;
-      if (asked.departure != nullptr) {
+      if (!asked.departure.empty()) {
         const Sense side = asked.departs_positive[i] != 0 ? Sense::positive : Sense::negative;
         departure = Departure{SurfaceId(asked.departure[i]), side};
       }
       Span span = asked.whole_line ? Span::line() : Span();
-      if (asked.end != nullptr) span.to = asked.end[i];
+      if (!asked.end.empty()) span.to = asked.end[i];
       scalar.begin(batch.list()[i], departure);
       IntervalList expected;
       scalar.intervals(cells.scene().root(), expected, span, rounding);
@@ -88,8 +88,8 @@ DepartingRays::DepartingRays(const Scene& scene, RandomSolids& random, std::span
 
 RayArrays DepartingRays::arrays() const {
   RayArrays result = rays.arrays();
-  result.departure = surfaces.data();
-  result.departs_positive = sides.data();
+  result.departure = surfaces;
+  result.departs_positive = sides;
   return result;
 }
 

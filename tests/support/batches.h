@@ -17,7 +17,7 @@ struct Shots {
   explicit Shots(std::vector<Ray> list)
       : rays(std::move(list)), t(rays.size()), surface(rays.size()), state(rays.size()), root(rays.size()) {}
 
-  HitArrays hits() { return {state.data(), t.data(), surface.data(), root.data()}; }
+  HitArrays hits() { return {state, t, surface, root}; }
 
   RayBatch rays;
   std::vector<double> t;

@@ -30,10 +30,9 @@ class RayBatch {
   /// Rays [first, first + count).
   RayArrays arrays(std::size_t first, std::size_t count) const {
     RayArrays arrays;
-    arrays.count = count;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      arrays.origin[axis] = origin(axis, first);
-      arrays.direction[axis] = direction(axis, first);
+      arrays.origin[axis] = {origin(axis, first), count};
+      arrays.direction[axis] = {direction(axis, first), count};
     }
     return arrays;
   }

@@ -14,7 +14,7 @@ solids' numbers, angles in degrees. What makes no sense raises ValueError or Typ
 scene text, a solid or a ray is wrong that is a csgcast.Error, which is a ValueError.
 """
 from dataclasses import dataclass as _dataclass, field as _field
-from os import fspath as _fspath, replace as _replace
+from os import fspath as _fspath
 
 from . import _core
 from ._core import (Cancelled, Error, Solid, __version__, box, complement, convex, cylinder, difference, ellipsoid, empty,
@@ -27,7 +27,7 @@ __all__ = ["Cancelled", "Check", "Error", "Hits", "Intervals", "Measures", "Mode
 _inf = float("inf")
 
 Error.__doc__ = """What was given makes no sense: 'file:line:column: error: what (why); what to do'. A ValueError."""
-Cancelled.__doc__ = """A query was ended by its callback."""
+Cancelled.__doc__ = """A call was cancelled: its progress callback returned False. There is no result."""
 
 
 @_dataclass(frozen=True, eq=False)
@@ -142,8 +142,13 @@ class Model:
     do (0), or those at most this share of the solid's size apart.
 
     Arrays of rays have shape (rays, 3), or (3,) where all share one; other types are converted to doubles. Directions need
-    not be unit: t counts in units of them. progress(share_done) is called now and then; what it raises ends the query, and
-    so does Ctrl-C.
+    not be unit: t counts in units of them.
+
+    progress(share) is called now and then by what takes long, with the share done, in [0, 1], which never falls and is 1 at
+    the end; by any thread, but never by two at once. If it returns False the call is cancelled and raises Cancelled; None, or
+    anything else, goes on. What it raises ends the call and is raised there; so is KeyboardInterrupt after Ctrl-C.
+
+    Calls work on all cores, and what they return does not depend on how many there are.
     """
 
     def __init__(self, solid, weld=None, _description=None):
@@ -169,21 +174,22 @@ class Model:
         """For each point 1 inside, 0 on the boundary, -1 outside: int8. Never falsely inside or outside."""
         return self._model.locate(points, progress)
 
-    def measure(self, relative_error=1e-4, area_error=1e-3, *, progress=None):
+    def measure(self, relative_error=1e-4, area_error=1e-3, *, progress=None, enough=None):
         """Volume, area, mass, centroid, inertia and bounds, as Measures; errors of volume and area relative to them are as
-        small as asked for if as_asked is True. progress is called with the volume's present relative error."""
-        whole = self._model.measure(relative_error, area_error, progress)
+        small as asked for if as_asked is True. enough(relative_error) is asked now and then about a volume's present error: if
+        it returns what is true, that is the result."""
+        whole = self._model.measure(relative_error, area_error, progress, enough)
         whole["parts"] = [Measures(**part) for part in whole["parts"]]
         return Measures(**whole)
 
-    def section(self, normal, distance=0.0, *, relative_error=1e-6):
+    def section(self, normal, distance=0.0, *, relative_error=1e-6, progress=None):
         """What the plane normal . p = distance cuts out, as Section. In the plane of a face it is what is just beyond it."""
-        return Section(**_core._section(self._model, normal, distance, relative_error))
+        return Section(**_core._section(self._model, normal, distance, relative_error, progress))
 
-    def thinnest(self, samples=512):
+    def thinnest(self, samples=512, *, progress=None):
         """The thinnest wall that samples x samples rays along each axis meet, straight in from the boundary to the boundary again:
         (thickness, place (3,), normal (3,), leaf); None if the solid is empty or may be unbounded. No bound."""
-        return _core._thinnest(self._model, samples)
+        return _core._thinnest(self._model, samples, progress)
 
     def check(self, *, progress=None):
         """Looks for parts that overlap, empty and unbounded parts, and what is without effect: Check."""
@@ -282,12 +288,9 @@ def _solid_from(text):
 
 
 def save(solid, path):
-    """Writes a solid as a scene text (.csg), for the command line or another program. Written beside the file and renamed."""
-    text = solid.to_text()
-    beside = f"{_fspath(path)}.part"
-    with open(beside, "w", encoding="utf-8") as file:
-        file.write(text)
-    _replace(beside, path)
+    """Writes a solid as a scene text (.csg), for the command line or another program. The file appears whole or not at all; an older
+    one's permissions are kept, and links are followed."""
+    _core._save_text(solid, _fspath(path))
 
 
 Solid.compile = _compile

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "csg/base/precondition.h"
 #include "csg/exact/dyadic.h"
 
 namespace csgcast::detail {
@@ -93,6 +94,7 @@ bool HullBuilder::start(std::span<const std::uint32_t> order) {
 }
 
 void HullBuilder::insert(std::uint32_t point) {
+  CSGCAST_PRECONDITION(!faces_.empty());
   const FaceIndex first = conflict_[point];
   if (first == none) return;  // inside, on the boundary, or a corner already
   collect_seen(point, first);

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "csg/base/precondition.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -45,6 +47,7 @@ bool has_children(const Solid& solid, const std::list<Solid>& children) {
 }  // namespace
 
 void GrowingSolid::append(const Solid& origin, std::size_t index, GrowingSolid child) {
+  CSGCAST_PRECONDITION(index < origin.children().size());
   const Kind op = origin.kind();
   if (changes_nothing(op, index, child)) return;
   const bool decides = is_absorbed_ || decides_all(op, index, child);

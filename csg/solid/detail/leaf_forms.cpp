@@ -6,6 +6,8 @@
 #include <compare>
 
 #include "csg/base/error.h"
+#include "csg/base/length.h"
+#include "csg/base/precondition.h"
 #include "csg/solid/detail/form_bounds.h"
 
 namespace csgcast::detail {
@@ -26,6 +28,7 @@ void require_finite(const std::string& statement, std::initializer_list<double> 
 }
 
 QuadricForm plane_form(const std::string& statement, Vector normal, double distance) {
+  CSGCAST_PRECONDITION(is_finite(normal) && std::isfinite(distance));
   if (normal == Vector{}) {
     throw Error(ErrorCode::bad_value, {}, statement + ": the normal of a plane is zero", "it has no direction",
                 "give a normal with a non-zero component");
@@ -54,6 +57,7 @@ void set_forms(LeafShape& shape, const std::vector<FormWithError>& forms) {
   std::vector<FormWithError> sorted;
   sorted.reserve(forms.size());
   for (const auto& [form, error] : forms) {
+    CSGCAST_PRECONDITION(!form.is_constant());
     CanonicalForm c = canonical(form);
     FormError scaled = error;
     const double scale = magnitude_sum(c.form) / magnitude_sum(form);

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "csg/base/precondition.h"
 #include "csg/exact/directed.h"
 #include "csg/exact/linear_program.h"
 #include "csg/solid/detail/form_bounds.h"
@@ -20,6 +21,7 @@ constexpr std::size_t largest_program = 250'000;  // planes times bits of a coef
 using Program = std::vector<Constraint<3>>;
 
 mpq_class rational(const Dyadic& integer) {
+  CSGCAST_PRECONDITION(integer.exponent() >= 0);
   return mpq_class(integer.mantissa() << static_cast<mp_bitcnt_t>(integer.exponent()));
 }
 

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+#include "csg/base/precondition.h"
+#include "raycast/cells/build/cell_axes.h"
 #include "raycast/cells/build/cell_data.h"
 #include "raycast/cells/build/cell_ground.h"
 #include "raycast/cells/formula/formula.h"

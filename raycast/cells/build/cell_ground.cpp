@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "csg/base/length.h"
+#include "csg/base/precondition.h"
 #include "raycast/cells/build/cell_box.h"
+#include "raycast/cells/build/cell_builder.h"
 #include "raycast/scene/even_looks.h"
 
 namespace csgcast::detail {
@@ -63,6 +65,7 @@ void CellGround::place_leaves(NodeId node) {
 CellBox CellGround::box_of(const Box& world) const { return grown(tight_box_of(world), face_clearance); }
 
 CellBox CellGround::tight_box_of(const Box& world) const {
+  CSGCAST_PRECONDITION(world.is_finite());
   const CellBox straight = in_frame(world, scene.frame());
   return axes ? axes->holding(straight) : straight;
 }

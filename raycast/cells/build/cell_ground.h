@@ -39,6 +39,7 @@ struct CellGround {
   /// A surface's form about the middle of a box, with a slack that covers the places of lines, which may be off.
   /// Precondition: the box is finite.
   LocalForm form_in(std::size_t surface, const CellBox& b) const {
+    CSGCAST_PRECONDITION(is_finite(b.lower) && is_finite(b.upper));
     const CellForm& form = forms[surface];
     return local_form(form, b, is_near(b) ? slacks[surface] : slack_of_lines(form, b));
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "csg/base/length.h"
+#include "csg/base/precondition.h"
 #include "csg/exact/quadric_form.h"
 
 namespace csgcast::detail {
@@ -64,6 +65,7 @@ CellForm at_height(const CellForm& form, long double z, double off, const CellBo
 }  // namespace
 
 SectionGround section_ground(const CellGround& of, NodeId node, Vector normal, double distance) {
+  CSGCAST_PRECONDITION(of.is_bounded && is_finite(normal) && longest(normal) > 0);
   const Scene& scene = of.scene;
   const Frame& frame = scene.frame();
   const CellAxes axes = axes_about(normal);

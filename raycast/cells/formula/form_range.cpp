@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "csg/base/length.h"
+#include "csg/base/precondition.h"
 #include "csg/exact/quadric_form.h"
 
 namespace csgcast::detail {
@@ -71,6 +72,7 @@ bool implies(const Signed& f, const Signed& g, Vector half, const Likeness& betw
 
 // Coordinates of places along rays are up to 8, and may be off by 2^-49 each.
 double slack_of_lines(const CellForm& form, const CellBox& box) {
+  CSGCAST_PRECONDITION(is_finite(box.lower) && is_finite(box.upper));
   const auto& c = form.c;
   const double reach = longest(0.5 * (box.upper + box.lower) - form.center) + 0.5 * longest(box.upper - box.lower);
   double bend = 0;
@@ -105,6 +107,7 @@ Sides sides_of(const LocalForm& form, Vector half) {
 }
 
 Sides sides_within(const CellForm& form, const CellBox& box) {
+  CSGCAST_PRECONDITION(is_finite(box.lower) && is_finite(box.upper));
   return sides_of(local_form(form, box), 0.5 * (box.upper - box.lower));
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/base/precondition.h"
 #include "raycast/scene/scene.h"
 
 namespace csgcast::detail {
@@ -107,6 +108,7 @@ class FormulaValue {
  public:
   template <class HalfSpaceWord>
   std::uint64_t operator()(std::span<const Term> terms, HalfSpaceWord&& half_space) {
+    CSGCAST_PRECONDITION(!terms.empty());
     open_.clear();
     for (std::size_t i = 0; i < terms.size(); ++i) {
       const Term& term = terms[i];

@@ -2,6 +2,7 @@
 #include "raycast/cells/formula/implications.h"
 
 #include "csg/base/length.h"
+#include "csg/base/precondition.h"
 
 namespace csgcast::detail {
 
@@ -39,6 +40,7 @@ void Implications::add(std::size_t i, const LocalForm& form) {
 }
 
 TruthTable Implications::impossible_states() const {
+  CSGCAST_PRECONDITION(count_ <= TruthTable::most_values);
   TruthTable impossible;
   const auto states = [](std::size_t literal, std::size_t w) {
     const std::uint64_t positive = TruthTable::states_of_word(literal / 2, w);

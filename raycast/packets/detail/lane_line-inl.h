@@ -15,7 +15,7 @@
 
 #include "raycast/cells/build/cell_data.h"
 #include "raycast/line/frame.h"
-#include "raycast/packets/ray_arrays.h"
+#include "raycast/packets/detail/ray_pointers.h"
 #include "raycast/simd/vector_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -335,7 +335,7 @@ constexpr double farthest = 1e200;
 
 /// What walks and tests need besides.
 template <class D>
-HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayArrays& rays, std::size_t first, std::size_t count,
+HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayPointers& rays, std::size_t first, std::size_t count,
                              LineLanes<D>& line) {
   using V = hn::Vec<D>;
   const V zero = hn::Zero(d);

@@ -45,7 +45,7 @@ HWY_INLINE std::uint64_t bytes_of(unsigned bits) {
 }
 
 template <class D>
-HWY_INLINE void set_departures(D d, const RayArrays& rays, std::size_t first, std::size_t count,
+HWY_INLINE void set_departures(D d, const RayPointers& rays, std::size_t first, std::size_t count,
                                Departures<D>& departures) {
   const hn::Rebind<std::uint32_t, D> half;
   std::uint32_t surfaces[8];
@@ -100,7 +100,7 @@ template <class D>
 HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
                                   const Departures<D>* departures, const Walk<D, Wanted::first>& walk,
                                   hn::Mask<D> found, std::size_t first, std::size_t count, const LaneHits& hits) {
-  const FaceArrays& faces = hits.faces;
+  const FacePointers& faces = hits.faces;
   const BitsOf<D> bits;
   const auto owners = owners_of(d, cells, walk.slot());
   const bool wants_faces = faces.point[0] != nullptr;
@@ -128,7 +128,7 @@ HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells
 
 /// Takes the next packet's lines through the cells.
 template <class D, Wanted wanted>
-HWY_INLINE void walk_packet(D d, const Scene& scene, const CellData& cells, const RayArrays& rays, std::size_t first,
+HWY_INLINE void walk_packet(D d, const Scene& scene, const CellData& cells, const RayPointers& rays, std::size_t first,
                             std::size_t count, LineLanes<D>& line, Walk<D, wanted>& walk, PacketCounts& counts) {
   counts.rays += count;
   ++counts.packets;
@@ -145,7 +145,7 @@ HWY_INLINE void walk_packet(D d, const Scene& scene, const CellData& cells, cons
 }
 
 template <class D, Wanted wanted>
-void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneHits& hits,
+void cast(const Scene& scene, const CellData& cells, const RayPointers& rays, const LaneHits& hits,
           PacketCounts& counts) {
   const D d;
   const std::size_t lanes = hn::Lanes(d);
@@ -177,7 +177,7 @@ void cast(const Scene& scene, const CellData& cells, const RayArrays& rays, cons
 
 /// Puts the ends that a packet met behind the intervals that are there, ray by ray. `told`: the lanes to do so for.
 template <class D>
-HWY_INLINE void append_lists(D d, const RayArrays& rays, std::size_t first, std::size_t count,
+HWY_INLINE void append_lists(D d, const RayPointers& rays, std::size_t first, std::size_t count,
                              const Walk<D, Wanted::all>& walk, const EndLog<D>& log, unsigned told,
                              const LaneLists& lists) {
   static_assert(sizeof(Interval) == 2 * sizeof(Crossing));
@@ -222,7 +222,7 @@ HWY_INLINE void append_lists(D d, const RayArrays& rays, std::size_t first, std:
 }
 
 /// The same of one ray, whose ends are where they belong.
-HWY_INLINE void append_lists(hn::Single<double>, const RayArrays& rays, std::size_t ray, std::size_t,
+HWY_INLINE void append_lists(hn::Single<double>, const RayPointers& rays, std::size_t ray, std::size_t,
                              const Walk<hn::Single<double>, Wanted::all>& walk, EndLog<hn::Single<double>>& log,
                              unsigned told, const LaneLists& lists) {
   if (told == 0) log.clear();
@@ -232,7 +232,7 @@ HWY_INLINE void append_lists(hn::Single<double>, const RayArrays& rays, std::siz
 
 /// Room for what rays meet.
 template <class D>
-HWY_INLINE EndLog<D> make_log(D, const RayArrays& rays, const LaneLists& lists) {
+HWY_INLINE EndLog<D> make_log(D, const RayPointers& rays, const LaneLists& lists) {
   if constexpr (hn::is_single<D>) {
     return EndLog<D>(lists, rays.whole_line ? -HUGE_VAL : 0);
   } else {
@@ -241,7 +241,7 @@ HWY_INLINE EndLog<D> make_log(D, const RayArrays& rays, const LaneLists& lists) 
 }
 
 template <class D>
-void cast_lists(const Scene& scene, const CellData& cells, const RayArrays& rays, const LaneLists& lists,
+void cast_lists(const Scene& scene, const CellData& cells, const RayPointers& rays, const LaneLists& lists,
                 PacketCounts& counts) {
   const D d;
   const std::size_t lanes = hn::Lanes(d);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "raycast/cells/build/cell_data.h"
+#include "raycast/packets/detail/ray_pointers.h"
 #include "raycast/packets/packet_counts.h"
-#include "raycast/packets/ray_arrays.h"
 #include "raycast/ray/hit.h"
 #include "raycast/scene/scene.h"
 
@@ -18,9 +18,9 @@
 
 namespace csgcast::detail {
 
-/// What was found of each ray. Arrays of FaceArrays may be null where they are not wanted, but `state`.
+/// What was found of each ray. Arrays of FacePointers may be null where they are not wanted, but `state`.
 struct LaneHits {
-  FaceArrays faces;
+  FacePointers faces;
   std::vector<std::uint32_t>* unowned = nullptr;    ///< if looks are wanted: gets the rays whose face's look or leaf
                                                     ///< depends on more than the cell; only these are not told
   bool rounds = false;                              ///< t is wanted rounded to nearest
@@ -42,10 +42,10 @@ struct LaneLists {
 
 /// The work on rays of one width.
 struct LaneFunctions {
-  void (*first_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, PacketCounts&);
+  void (*first_hits)(const Scene&, const CellData&, const RayPointers&, const LaneHits&, PacketCounts&);
   /// Whether the rays meet the inside: state is entry or none, and `left`.
-  void (*any_hits)(const Scene&, const CellData&, const RayArrays&, const LaneHits&, PacketCounts&);
-  void (*lists)(const Scene&, const CellData&, const RayArrays&, const LaneLists&, PacketCounts&);
+  void (*any_hits)(const Scene&, const CellData&, const RayPointers&, const LaneHits&, PacketCounts&);
+  void (*lists)(const Scene&, const CellData&, const RayPointers&, const LaneLists&, PacketCounts&);
 };
 
 /// The code for one instruction set. All give the same answers to rays that they do not flag.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/ray/detail/line_cache.h"
 
+#include "csg/base/precondition.h"
+
 namespace csgcast::detail {
 
 LineCache::LineCache(const Scene& scene, const Predicates& predicates)
@@ -33,6 +35,7 @@ Crossing LineCache::reported(const Crossing& crossing) {
 }
 
 Point LineCache::point(const Crossing& crossing) {
+  CSGCAST_PRECONDITION(crossing.surface.valid());
   // Without a bounded leaf the frame is the world's own, whose center is no nearer to the place than the ray's start.
   if (!scene_.bounded_leaves().is_finite()) return line_.ray.at(crossing.t);
   const LineFrame& line = line_.in_frame;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "csg/base/length.h"
+#include "csg/base/precondition.h"
 
 namespace csgcast::detail {
 namespace {
@@ -32,6 +33,7 @@ Point completed(Point p, const Frame& frame) {
 }  // namespace
 
 HalfSpace SurfaceTable::half_space(const QuadricForm& f, const Box& leaf) {
+  CSGCAST_PRECONDITION(!f.is_constant());
   const CanonicalForm canonical_form = canonical(f);
   const Sense sense = canonical_form.flipped ? Sense::positive : Sense::negative;
   PackedForm form(canonical_form.form);

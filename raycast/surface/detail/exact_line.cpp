@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "csg/base/precondition.h"
 #include "csg/exact/quadric_form.h"
 #include "raycast/surface/detail/line_memory.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "csg/base/length.h"
+#include "csg/base/precondition.h"
 #include "csg/exact/quadric_form.h"
 #include "raycast/line/twofold_root.h"
 #include "raycast/surface/detail/bounded.h"
@@ -60,6 +61,7 @@ inline TwofoldVector start_of(const LineFrame& line, const Surface& surface) {
 
 /// a / b, off by a relative 16 u² and by what its operands are off. Precondition: b is certain.
 inline TwofoldBounded quotient(const TwofoldBounded& a, const TwofoldBounded& b) {
+  CSGCAST_PRECONDITION(b.is_certain());
   const double first = a.value.high / b.value.high;
   const Twofold left = a.value + -(b.value * first);
   const Twofold value = fast_two_sum(first, left.high / b.value.high);

@@ -37,14 +37,14 @@ struct FaceBuffers {
   /// Without leaves.
   FaceArrays arrays() {
     FaceArrays faces;
-    faces.state = state.data();
-    faces.t = t.data();
-    faces.surface = surface.data();
-    faces.look = look.data();
-    faces.comes_positive = comes_positive.data();
+    faces.state = state;
+    faces.t = t;
+    faces.surface = surface;
+    faces.look = look;
+    faces.comes_positive = comes_positive;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      faces.point[axis] = point[axis].data();
-      faces.normal[axis] = normal[axis].data();
+      faces.point[axis] = point[axis];
+      faces.normal[axis] = normal[axis];
     }
     return faces;
   }

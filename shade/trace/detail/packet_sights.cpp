@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/base/precondition.h"
 #include "shade/trace/detail/shading_lanes.h"
 
 namespace csgcast::detail {
@@ -18,6 +19,7 @@ PacketSights::PacketSights(const Cells& cells, const Camera& camera, std::string
       camera_(camera),
       code_(shading_code(instructions)),
       caster_(cells, PacketCaster::Width::packet, instructions) {
+  CSGCAST_PRECONDITION(camera.rays_are_in_range());
   for (Vectors* vectors : {&origin_, &direction_})
     for (Numbers& numbers : *vectors) numbers.resize(at_once + FaceBuffers::more);
   faces_.resize(at_once);
@@ -27,24 +29,24 @@ PacketSights::PacketSights(const Cells& cells, const Camera& camera, std::string
 // Those of the samples from `first` on, as many as are traced at once.
 RayArrays PacketSights::rays_of(const Samples& samples, std::size_t first) {
   RayArrays rays;
-  rays.count = std::min(at_once, samples.x.size() - first);
+  const std::size_t count = std::min(at_once, samples.x.size() - first);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    rays.origin[axis] = origin_[axis].data();
-    rays.direction[axis] = direction_[axis].data();
+    rays.origin[axis] = {origin_[axis].data(), count};
+    rays.direction[axis] = {direction_[axis].data(), count};
   }
-  code_.camera_rays(camera_.frame(), rays.count, samples.x.data() + first, samples.y.data() + first,
+  code_.camera_rays(camera_.frame(), count, samples.x.data() + first, samples.y.data() + first,
                     pointers(origin_).data(), pointers(direction_).data());
-  primary_ += rays.count;
+  primary_ += count;
   return rays;
 }
 
 void PacketSights::look(const Samples& samples, std::span<Sight> sights) {
   FaceArrays faces = faces_.arrays();
-  faces.leaf = leaf_.data();
+  faces.leaf = leaf_;
   for (std::size_t first = 0; first < samples.x.size(); first += at_once) {
     const RayArrays rays = rays_of(samples, first);
     caster_.first_faces(rays, faces);
-    for (std::size_t i = 0; i < rays.count; ++i) sights[samples.place[first + i]] = sight(i);
+    for (std::size_t i = 0; i < rays.count(); ++i) sights[samples.place[first + i]] = sight(i);
   }
 }
 
@@ -61,7 +63,7 @@ void PacketSights::measure(const Samples& samples, std::span<double> lengths) {
   for (std::size_t first = 0; first < samples.x.size(); first += at_once) {
     const RayArrays rays = rays_of(samples, first);
     caster_.intervals(rays, intervals_);
-    for (std::size_t i = 0; i < rays.count; ++i) lengths[samples.place[first + i]] = total_length(intervals_.of(i));
+    for (std::size_t i = 0; i < rays.count(); ++i) lengths[samples.place[first + i]] = total_length(intervals_.of(i));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "csg/base/length.h"
+#include "csg/base/precondition.h"
 #include "shade/film/samples.h"
 #include "shade/light/phong.h"
 #include "shade/trace/detail/shading_lanes.h"
@@ -23,6 +24,7 @@ PacketTracer::PacketTracer(const Cells& cells, const View& view, const Camera& c
       camera_(camera),
       tracer_(tracer),
       caster_(cells, PacketCaster::Width::packet, instructions) {
+  CSGCAST_PRECONDITION(suits(scene_, view, camera));
   for (const Material& look : scene_.looks()) has_mirrors_ = has_mirrors_ || look.reflection > 0;
 }
 
@@ -66,14 +68,13 @@ void PacketTracer::trace(const Samples& samples, std::span<Rgb> colors) {
 // What each ray meets.
 void PacketTracer::see() {
   RayArrays rays;
-  rays.count = count_;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    rays.origin[axis] = origin_[axis].data();
-    rays.direction[axis] = direction_[axis].data();
+    rays.origin[axis] = {origin_[axis].data(), count_};
+    rays.direction[axis] = {direction_[axis].data(), count_};
   }
   if (depth_ > 0) {
-    rays.departure = ray_departure_.data();
-    rays.departs_positive = ray_departs_positive_.data();
+    rays.departure = {ray_departure_.data(), count_};
+    rays.departs_positive = {ray_departs_positive_.data(), count_};
   }
   caster_.first_faces(rays, faces_.arrays());
 }
@@ -220,13 +221,14 @@ void PacketTracer::add_light(const LightDescription& light, const ShadingPoints&
   if (shadows.count == 0) return;
   depart(shadows);
   RayArrays rays;
-  rays.count = shadows.count;
-  std::copy_n(shadows.origin, 3, rays.origin);
-  std::copy_n(shadows.path, 3, rays.direction);
-  rays.departure = departure_.data();
-  rays.departs_positive = departs_positive_.data();
-  rays.end = light.position ? ones_.data() : nullptr;
-  caster_.any_hits(rays, blocked_.data());
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    rays.origin[axis] = {shadows.origin[axis], shadows.count};
+    rays.direction[axis] = {shadows.path[axis], shadows.count};
+  }
+  rays.departure = {departure_.data(), shadows.count};
+  rays.departs_positive = {departs_positive_.data(), shadows.count};
+  if (light.position) rays.end = {ones_.data(), shadows.count};
+  caster_.any_hits(rays, blocked_);
   const auto [r, g, b] = pointers(color_);
   const std::uint8_t* const blocked = blocked_.data();
   for (std::size_t ray = 0; ray < shadows.count; ++ray) {

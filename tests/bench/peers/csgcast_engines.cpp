@@ -54,7 +54,7 @@ class LaneEngine : public Engine {
   void first_hits(const RayBatch& rays, std::span<double> t) override {
     state_.resize(rays.size());
     surface_.resize(rays.size());
-    caster_.first_hits(rays.arrays(), {state_.data(), t.data(), surface_.data()}, Rounding::close);
+    caster_.first_hits(rays.arrays(), {state_, t, surface_}, Rounding::close);
   }
 
   void restate(std::span<double> t) override {

@@ -5,12 +5,14 @@
 
 #include <string>
 
+#include "csg/base/precondition.h"
 #include "csg/text/syntax/shortened.h"
 #include "csg/text/syntax/suggestion.h"
 
 namespace csgcast::text {
 
 EncodedColor color_from_string(const Call& call, std::string_view name) {
+  CSGCAST_PRECONDITION(call.string(name).has_value());
   const std::string text = call.string(name).value();
   if (const auto color = color_from(text)) return *color;
   if (text.starts_with('#')) {

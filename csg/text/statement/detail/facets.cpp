@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "csg/base/precondition.h"
 #include "csg/base/transform.h"
 
 namespace csgcast::text {
@@ -38,6 +39,7 @@ double side_count(double radius, const Fineness& fineness) {
 }
 
 std::vector<Point> sphere_vertices(double radius, int sides) {
+  CSGCAST_PRECONDITION(radius > 0 && sides >= 3);
   const int rings = (sides + 1) / 2;
   std::vector<Point> vertices;
   vertices.reserve(static_cast<std::size_t>(rings) * static_cast<std::size_t>(sides));
@@ -49,6 +51,7 @@ std::vector<Point> sphere_vertices(double radius, int sides) {
 }
 
 std::vector<Point> cylinder_vertices(double bottom, double top, double bottom_radius, double top_radius, int sides) {
+  CSGCAST_PRECONDITION(bottom < top && bottom_radius >= 0 && top_radius >= 0 && sides >= 3);
   std::vector<Point> vertices;
   append_ring_or_apex(vertices, bottom_radius, bottom, sides);
   append_ring_or_apex(vertices, top_radius, top, sides);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/output/progress.h"
+#include "cli/output/progress_bar.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -17,12 +17,12 @@ constexpr int bar_width = 40;
 
 }  // namespace
 
-Progress::Progress(std::string what, Show show)
+ProgressBar::ProgressBar(std::string what, Show show)
     : what_(std::move(what)),
       shown_(show == Show::if_terminal && ::isatty(STDERR_FILENO) == 1),
       next_(Clock::now() + patience) {}
 
-void Progress::update(double done) {
+void ProgressBar::update(double done) {
   if (!shown_ || Clock::now() < next_) return;
   next_ = Clock::now() + pause;
   drawn_ = true;
@@ -32,7 +32,15 @@ void Progress::update(double done) {
   static_cast<void>(std::fflush(stderr));
 }
 
-Progress::~Progress() {
+ProgressCallback ProgressBar::callback() {
+  if (!shown_) return {};
+  return [this](const Progress& progress) {
+    update(progress.share);
+    return true;
+  };
+}
+
+ProgressBar::~ProgressBar() {
   if (!drawn_) return;
   fmt::print(stderr, "\r\033[K");
   static_cast<void>(std::fflush(stderr));
