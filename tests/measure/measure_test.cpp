@@ -190,17 +190,6 @@ TEST_CASE("Far from the origin and in small and large units errors stay what the
   }
 }
 
-TEST_CASE("A part that may be unbounded adds no mass, in a bounded whole either") {
-  const Solid parts = named(box({1, 1, 1}), {"block", 2}) + named(halfspace({0, 0, 1}, 0.5), {"ground", 3});
-  const SceneMeasures found = measure(compile(parts & box({2, 2, 2})));
-  REQUIRE(found.parts.size() == 2);
-  CHECK(found.parts[0].is_bounded);
-  CHECK_FALSE(found.parts[1].is_bounded);
-  CHECK(found.whole.is_bounded);
-  CHECK(holds(found.whole.volume, 4 * 0.5 + 0.5));
-  CHECK(holds(found.whole.mass, 2));
-}
-
 TEST_CASE("What makes no sense is refused") {
   const Scene scene = compile(sphere(1));
   MeasureOptions options;
