@@ -9,8 +9,8 @@
 #include "measure/search/redundancies.h"
 #include "measure/search/shared_space.h"
 #include "raycast/cells/pieces.h"
+#include "raycast/line/interval_list.h"
 #include "raycast/ray/caster.h"
-#include "raycast/ray/interval_list.h"
 
 namespace csgcast {
 namespace {

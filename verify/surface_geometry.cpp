@@ -103,6 +103,8 @@ Vector without_rounding(Vector v) {
 }  // namespace
 
 std::optional<Point> meeting_point(const Scene& scene, std::span<const SurfaceId> surfaces, Point start) {
+  if (std::any_of(surfaces.begin(), surfaces.end(), [&](SurfaceId id) { return scene.surface(id).other != nullptr; }))
+    return std::nullopt;
   Point p = start;
   double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_steps; ++i) {
@@ -122,7 +124,7 @@ std::optional<Point> meeting_point(const Scene& scene, std::span<const SurfaceId
 
 std::optional<Point> center_of(const Scene& scene, SurfaceId id) {
   const Surface& surface = scene.surface(id);
-  if (surface.is_plane) return std::nullopt;
+  if (surface.is_plane || surface.other != nullptr) return std::nullopt;
   const Frame& frame = scene.frame();
   const auto& c = surface.local;
   const Matrix m = second_degree(c);

@@ -82,8 +82,10 @@ std::string as_text(const Info& info) {
   append_row(out, "depth", fmt::format("{}", info.statements.depth));
   append_row(out, "leaves", fmt::format("{}: {}", scene.leaves().size(), list(info.leaves.by_kind)));
   append_row(out, "surfaces",
-             fmt::format("{}: planes {}, quadrics {}; shared by several leaves {}", scene.surfaces().size(),
-                         info.surfaces.planes, info.surfaces.quadrics, info.surfaces.shared));
+             fmt::format("{}: planes {}, quadrics {}{}; shared by several leaves {}", scene.surfaces().size(),
+                         info.surfaces.planes, info.surfaces.quadrics,
+                         info.surfaces.others > 0 ? fmt::format(", others {}", info.surfaces.others) : "",
+                         info.surfaces.shared));
   append_welding(out, scene.weld_report());
   append_row(out, "tree", fmt::format("{} nodes after simplification, leaves included", scene.nodes().size()));
   append_row(out, "parts", fmt::format("{}", scene.parts().size()));
@@ -179,7 +181,9 @@ std::string as_json(const Info& info) {
   json.member("leaves", std::uint64_t(scene.leaves().size()));
   json_tally(json, "leaves_by_kind", info.leaves.by_kind);
   json.key("surfaces").begin_object(Json::Layout::compact).member("planes", info.surfaces.planes);
-  json.member("quadrics", info.surfaces.quadrics).member("shared", info.surfaces.shared).end_object();
+  json.member("quadrics", info.surfaces.quadrics);
+  if (info.surfaces.others > 0) json.member("others", info.surfaces.others);
+  json.member("shared", info.surfaces.shared).end_object();
   json_welding(json, scene.weld_report());
   json.member("nodes", std::uint64_t(scene.nodes().size()));
   json_parts(json, info);

@@ -24,7 +24,7 @@ StatementSummary summarise_statements(const text::Document& document) {
 SurfaceSummary summarise_surfaces(const Scene& scene) {
   SurfaceSummary summary;
   for (const Surface& surface : scene.surfaces()) {
-    ++(surface.is_plane ? summary.planes : summary.quadrics);
+    ++(surface.is_plane ? summary.planes : surface.other == nullptr ? summary.quadrics : summary.others);
   }
   std::vector<LeafId> first_user(scene.surfaces().size());
   std::vector<bool> shared(scene.surfaces().size());

@@ -24,6 +24,7 @@ struct StatementSummary {
 struct SurfaceSummary {
   std::uint64_t planes = 0;
   std::uint64_t quadrics = 0;
+  std::uint64_t others = 0;
   std::uint64_t shared = 0;  ///< those that more than one leaf has
 };
 

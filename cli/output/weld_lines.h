@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/output/json.h"
-#include "raycast/scene/welding.h"
+#include "raycast/weld/welding.h"
 
 namespace csgcast::cli {
 

@@ -24,6 +24,7 @@ class PackedForm {
   }
   ~PackedForm() { delete[] bytes_; }
 
+  /// Precondition: there is a form.
   QuadricForm unpacked() const;
   std::uint64_t hash() const;
   friend bool operator==(const PackedForm& a, const PackedForm& b);

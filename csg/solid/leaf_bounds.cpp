@@ -166,7 +166,7 @@ Box world_bounds(const LeafShape& shape, const ExactAffine& world_from_solid) {
   if (shape.semi_axes) return image_of_ellipsoid(*shape.semi_axes, world_from_solid);
   if (!shape.discs.empty()) return image_of_discs(shape.discs, world_from_solid);
   const Box box = image(shape.bounds, world_from_solid);
-  if (shape.forms.size() > 1) return box;
+  if (shape.forms.size() != 1 || !shape.others.empty() || shape.inside != nullptr) return box;
   return intersection(box, detail::bounds(FormMover(world_from_solid).moved(shape.forms.front())));
 }
 

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "csg/base/box.h"
+#include "csg/base/truth_formula.h"
 #include "csg/exact/form_list.h"
+#include "csg/exact/other_form.h"
 #include "csg/solid/solid.h"
 
 namespace csgcast {
@@ -29,11 +33,20 @@ struct ShapeError {
   Point center;
 };
 
-/// What a leaf is in its own coordinates: the closed set of points where every form is <= 0.
+/// What a leaf is in its own coordinates: the closed set of points where every form is <= 0, or, with `inside`, the
+/// closure of the open set that it tells.
 struct LeafShape {
   LeafKind kind = LeafKind::convex;
-  FormList forms;  ///< none of them constant; at least one
-  Box bounds;      ///< holds the set, rounded outward
+
+  std::size_t form_count() const { return forms.size() + others.size(); }
+
+  FormList forms;  ///< none of them constant
+  /// The forms that are no plane's and no quadric's; at least one form is here or there.
+  std::vector<std::shared_ptr<const OtherForm>> others;
+  /// Tells the inside by which forms are <= 0: condition k is that of forms[k], or of those in `others` after them.
+  /// Null: all of them are.
+  std::shared_ptr<const TruthFormula> inside;
+  Box bounds;  ///< holds the set, rounded outward
   bool is_convex_polyhedron = false;
   std::vector<Point>
       vertices;             ///< of a bounded polyhedron given by points (for tight bounds of moved solids); else empty

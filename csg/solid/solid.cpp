@@ -78,7 +78,8 @@ const Payload& Solid::payload() const {
 Solid Solid::everything() { return make(Kind::everything, {}); }
 
 Solid Solid::leaf(LeafShape shape) {
-  CSGCAST_PRECONDITION(!shape.forms.empty());
+  CSGCAST_PRECONDITION(shape.form_count() > 0);
+  CSGCAST_PRECONDITION(shape.inside == nullptr || is_well_formed(*shape.inside, shape.form_count()));
   return make(Kind::leaf, {}, std::move(shape));
 }
 

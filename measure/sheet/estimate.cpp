@@ -91,7 +91,12 @@ Estimate estimate(const Space& space, const Piece& piece) {
   }
   Estimate result;
   if (piece.is_crowded() || !forms.are_known) {
-    result = unknown(forms, surface_of(forms.half) * static_cast<double>(piece.count));
+    // By Cauchy and Crofton, too.
+    std::uint64_t crossings = piece.crowd_crossings;
+    if (!piece.is_crowded()) {
+      for (std::size_t i = 0; i < piece.count; ++i) crossings += space.most_crossings(piece.surfaces[i]);
+    }
+    result = unknown(forms, surface_of(forms.half) * (0.5 * static_cast<double>(crossings)));
     result.split = longest_axis(forms.half);
     return result;
   }

@@ -9,6 +9,7 @@
 #include "raycast/cells/build/box_fold.h"
 #include "raycast/cells/detail/space_content.h"
 #include "raycast/cells/formula/formula_table.h"
+#include "raycast/cells/formula/leaf_terms.h"
 #include "raycast/cells/formula/surface_set.h"
 
 namespace csgcast {
@@ -53,12 +54,21 @@ struct PieceCutter::State {
   std::vector<LocalForm> forms;
 };
 
-// Makes a piece of a formula that is folded. False if too many surfaces are left for a table: then only their number is
-// set.
+// Makes a piece of a formula that is folded. False if too many surfaces are left for a table, or a leaf's own literal:
+// then only their number is set.
 bool PieceCutter::State::tabulate(const detail::Formula& formula, Piece& piece) {
   surfaces.gather(formula);
   piece.count = static_cast<std::uint32_t>(surfaces.size());
-  if (surfaces.size() > Piece::most_surfaces) return false;
+  bool is_told = true;
+  if (!ground.scene.function_leaves().empty()) {
+    for (const SurfaceId id : surfaces.list()) {
+      const LeafId leaf = detail::leaf_of(ground.scene, id);
+      if (!leaf.valid()) continue;
+      is_told = false;
+      piece.count += ground.scene.leaf(leaf).count - 1;  // any of its surfaces may cross the box
+    }
+  }
+  if (!is_told || surfaces.size() > Piece::most_surfaces) return false;
   surfaces.sort(std::less<>());
   formula_table.tabulate(formula, surfaces);
   piece.table = formula_table.as_function();
@@ -81,10 +91,9 @@ bool PieceCutter::State::drop_implied(detail::Formula& formula, const CellBox& b
   if (!any) return false;
   detail::Formula rest;
   folder.fold(
-      formula, rest, [](const detail::Term&) { return detail::Known::open; },
+      formula, rest, [](const detail::Term&) { return Truth::unknown; },
       [&](const detail::Term& term) {
-        return implied[static_cast<std::size_t>(&term - formula.terms.data())] ? detail::Known::yes
-                                                                               : detail::Known::open;
+        return implied[static_cast<std::size_t>(&term - formula.terms.data())] ? Truth::yes : Truth::unknown;
       });
   formula = std::move(rest);
   return true;
@@ -123,6 +132,7 @@ Piece PieceCutter::State::fold(const detail::Formula& from, const CellBox& box) 
   } else if (tabulate(folded, piece) || (drop_implied(folded, box) && tabulate(folded, piece))) {
     return fold_table(piece, box);  // leaves out what does not matter
   } else {
+    for (const SurfaceId id : surfaces.list()) piece.crowd_crossings += space.most_crossings(id.index());
     piece.crowd = std::make_shared<const Piece::Crowd>(Piece::Crowd{std::move(folded)});
   }
   return piece;

@@ -23,9 +23,13 @@ struct Piece {
   std::array<std::uint32_t, most_surfaces> surfaces{};  ///< SurfaceId
   /// Tells if points are inside, by the signs of the surfaces: true is positive.
   TruthTable table;
-  /// What is known of a piece that more surfaces cross; its table and surfaces say nothing. Null if there are no more.
+  /// What is known of a piece that more surfaces cross, or that a leaf with a function of its own has yet to tell of;
+  /// its table and surfaces say nothing. Else null.
   struct Crowd;
   std::shared_ptr<const Crowd> crowd;
+
+  /// At most so often a line meets the surfaces of a crowd.
+  std::uint64_t crowd_crossings = 0;
 
   bool is_crowded() const { return crowd != nullptr; }
   bool is_constant() const { return crowd == nullptr && count == 0; }

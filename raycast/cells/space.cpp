@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/cells/space.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -8,6 +9,8 @@
 #include "csg/base/precondition.h"
 #include "raycast/cells/detail/section_ground.h"
 #include "raycast/cells/detail/space_content.h"
+#include "raycast/cells/formula/leaf_terms.h"
+#include "raycast/surface/kind.h"
 
 namespace csgcast {
 namespace {
@@ -70,7 +73,21 @@ Space Space::unbounded() const {
 const Scene& Space::scene() const { return content_->ground->scene; }
 bool Space::is_empty() const { return content_->formula.is_constant() && !content_->formula.value; }
 const CellForm& Space::form(std::uint32_t surface) const { return content_->ground->forms[surface]; }
-bool Space::is_known(std::uint32_t surface) const { return scene().surfaces()[surface].in_range; }
+bool Space::is_known(std::uint32_t surface) const {
+  return surface < scene().surfaces().size() && scene().surfaces()[surface].in_range;
+}
+
+std::uint64_t Space::most_crossings(std::uint32_t surface) const {
+  const auto of_surface = [&](SurfaceId id) {
+    return std::uint64_t{std::max(scene().surface(id).kind->most_crossings, std::uint8_t{2})};
+  };
+  const LeafId leaf = detail::leaf_of(scene(), SurfaceId(surface));
+  if (!leaf.valid()) return of_surface(SurfaceId(surface));
+  std::uint64_t sum = 0;
+  for (const HalfSpace& half_space : scene().half_spaces(scene().leaf(leaf))) sum += of_surface(half_space.surface);
+  return sum;
+}
+
 bool Space::is_plane(std::uint32_t surface) const { return scene().surfaces()[surface].is_plane; }
 double Space::scale() const { return std::ldexp(1.0, scene().frame().exponent); }
 

@@ -45,6 +45,9 @@ class Space {
   /// because its numbers are out of range.
   const CellForm& form(std::uint32_t surface) const;
   bool is_known(std::uint32_t surface) const;
+  /// A bound of how often a line meets a surface, or those of a leaf that has a number of its own behind all surfaces:
+  /// two at least.
+  std::uint64_t most_crossings(std::uint32_t surface) const;
   bool is_plane(std::uint32_t surface) const;
 
   /// One unit of these coordinates in the scene's unit of length: a power of two.

@@ -9,10 +9,10 @@
 #include "csg/base/error.h"
 #include "csg/base/precondition.h"
 #include "raycast/cells/cells_data.h"
+#include "raycast/line/interval_list.h"
 #include "raycast/packets/detail/caster_pointers.h"
 #include "raycast/packets/detail/lanes.h"
 #include "raycast/packets/detail/ray_pointers.h"
-#include "raycast/ray/interval_list.h"
 
 namespace csgcast {
 namespace {

@@ -2,19 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "csg/base/ids.h"
 #include "csg/base/vector.h"
-#include "raycast/line/crossing.h"
+#include "raycast/line/interval_list.h"
 
 namespace csgcast {
-
-/// An interval of t in which the ray is inside the solid. The entry comes before the exit.
-struct Interval {
-  Crossing entry;
-  Crossing exit;
-};
 
 /// The face at an end of an interval: the leaf it belongs to and the look that it shows. Both are not valid if no
 /// surface makes the end.
@@ -23,9 +16,6 @@ struct EndFace {
   LookId look;
   Normal normal{};  ///< unit, out of the solid
 };
-
-/// Sorted, disjoint, non-touching intervals.
-using IntervalList = std::vector<Interval>;
 
 enum class Passage : std::uint8_t { entry, exit };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "csg/solid/simplify.h"
+#include "raycast/scene/detail/compile.h"
 #include "raycast/scene/detail/enclosure.h"
 #include "raycast/scene/detail/flattener.h"
 #include "raycast/scene/detail/node_builder.h"
@@ -48,9 +49,14 @@ void give_back_spare_memory(SceneTables& tables) {
 
 }  // namespace
 
-Scene::Scene(SceneTables tables) : tables_(std::move(tables)) { leads_away_ = detail::sides_that_lead_away(*this); }
+Scene::Scene(SceneTables tables) : tables_(std::move(tables)) {
+  for (std::uint32_t id = 0; id < tables_.leaves.size(); ++id) {
+    if (tables_.leaves[id].function != nullptr) function_leaves_.emplace_back(id);
+  }
+  leads_away_ = detail::sides_that_lead_away(*this);
+}
 
-Scene compile(Solid solid, const Welding& welding) {
+Scene detail::compile(Solid solid, const Welding& welding, SurfaceKinds kinds) {
   check_tolerance(welding);
   solid = simplified(solid);
   check_leaf_count(solid);
@@ -68,8 +74,12 @@ Scene compile(Solid solid, const Welding& welding) {
   detail::widen_boxes(tables.nodes, tables.weld_report.widest);
   tables.frame = Frame::around(tables.bounded_leaves);
   give_back_spare_memory(tables);
-  tables.surfaces = flat.surfaces.take(tables.frame);
+  tables.surfaces = flat.surfaces.take(tables.frame, kinds);
   return Scene(std::move(tables));
+}
+
+Scene compile(Solid solid, const Welding& welding) {
+  return detail::compile(std::move(solid), welding, surface_kinds());
 }
 
 }  // namespace csgcast

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,8 +12,8 @@
 #include "csg/solid/look.h"
 #include "csg/solid/solid.h"
 #include "raycast/line/crossing.h"
-#include "raycast/scene/welding.h"
 #include "raycast/surface/surface.h"
+#include "raycast/weld/welding.h"
 
 namespace csgcast {
 
@@ -22,11 +23,15 @@ struct HalfSpace {
   Sense sense = Sense::negative;
 };
 
-/// One instance of a leaf: the intersection of half-spaces [first, first + count) of the scene's table.
+class LeafFunction;
+
+/// One instance of a leaf: the intersection of half-spaces [first, first + count) of the scene's table, or another
+/// truth function of them.
 struct Leaf {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  Place place;  ///< the statement that made it
+  const LeafFunction* function = nullptr;  ///< null: the intersection. The scene owns it
+  Place place;                             ///< the statement that made it
   RegionId region;
   PartId part;  ///< not valid outside every part
   LookId look;
@@ -86,10 +91,11 @@ constexpr double clear_departure = 0x1p-20;
 /// What a scene is made of, as compile() fills it in. The id of a thing is its index in the table of its kind.
 struct SceneTables {
   std::vector<Surface> surfaces;
-  std::vector<HalfSpace> half_spaces;  ///< leaf by leaf
-  std::vector<Leaf> leaves;            ///< in file order
-  std::vector<Node> nodes;             ///< operands before their operators
-  std::vector<NodeId> children;        ///< node by node
+  std::vector<HalfSpace> half_spaces;                          ///< leaf by leaf
+  std::vector<Leaf> leaves;                                    ///< in file order
+  std::vector<std::shared_ptr<const LeafFunction>> functions;  ///< those of the leaves
+  std::vector<Node> nodes;                                     ///< operands before their operators
+  std::vector<NodeId> children;                                ///< node by node
   std::vector<Operation> operations;
   std::vector<Part> parts;
   std::vector<Region> regions;
@@ -114,6 +120,8 @@ class Scene {
   const Surface& surface(SurfaceId id) const { return tables_.surfaces[id.index()]; }
   std::span<const Leaf> leaves() const { return tables_.leaves; }
   const Leaf& leaf(LeafId id) const { return tables_.leaves[id.index()]; }
+  /// The leaves with a truth function of their own, in file order.
+  std::span<const LeafId> function_leaves() const { return function_leaves_; }
   std::span<const HalfSpace> half_spaces(const Leaf& leaf) const {
     return std::span(tables_.half_spaces).subspan(leaf.first, leaf.count);
   }
@@ -148,12 +156,14 @@ class Scene {
   /// leads_away() of all surfaces, by index: a bit for each side, 1 << Sense. Empty if no side of any surface leads
   /// away.
   std::span<const std::uint8_t> sides_that_lead_away() const { return leads_away_; }
+  const SceneTables& tables() const { return tables_; }
   const WeldReport& weld_report() const { return tables_.weld_report; }
   /// The bounds of the bounded leaves, for a default camera of an unbounded solid.
   const Box& bounded_leaves() const { return tables_.bounded_leaves; }
 
  private:
   SceneTables tables_;
+  std::vector<LeafId> function_leaves_;
   std::vector<std::uint8_t> leads_away_;
 };
 

@@ -5,7 +5,7 @@
 
 namespace csgcast {
 
-std::span<const SurfaceKind* const> surface_kinds() {
+SurfaceKinds surface_kinds() {
   static constexpr std::array table{&plane_kind, &quadric_kind};
   return table;
 }

@@ -7,7 +7,9 @@
 
 namespace csgcast {
 
+using SurfaceKinds = std::span<const SurfaceKind* const>;
+
 /// The table of kinds, the plainest first: a form becomes a surface of the first kind that takes it.
-std::span<const SurfaceKind* const> surface_kinds();
+SurfaceKinds surface_kinds();
 
 }  // namespace csgcast

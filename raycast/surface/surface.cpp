@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "csg/base/length.h"
 #include "csg/exact/quadric_form.h"
@@ -32,7 +33,7 @@ Surface make_surface(PackedForm canonical, const Frame& frame, Point near, bool 
   const QuadricForm form = canonical.unpacked();
   Surface surface;
   surface.kind = *std::find_if(surface_kinds().begin(), surface_kinds().end(),
-                               [&](const SurfaceKind* kind) { return kind->takes(form); });
+                               [&](const SurfaceKind* kind) { return kind->takes != nullptr && kind->takes(form); });
   surface.is_plane = surface.kind == &plane_kind;
   surface.is_local = is_local;
   surface.exact = std::move(canonical);
@@ -50,6 +51,16 @@ Surface make_surface(PackedForm canonical, const Frame& frame, Point near, bool 
   surface.second_degree = magnitude_sum(surface.local, 0, Form::x);
   surface.first_degree = magnitude_sum(surface.local, Form::x, Form::one);
   surface.constant = std::fabs(surface.local[Form::one]);
+  return surface;
+}
+
+Surface make_surface(std::shared_ptr<const OtherForm> canonical, const SurfaceKind& kind, bool is_local) {
+  Surface surface;
+  surface.kind = &kind;
+  surface.is_plane = false;
+  surface.is_local = is_local;
+  surface.in_range = false;
+  surface.other = std::move(canonical);
   return surface;
 }
 

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
 #include "csg/base/vector.h"
+#include "csg/exact/other_form.h"
 #include "csg/exact/packed_form.h"
 #include "raycast/line/frame.h"
 
@@ -22,7 +24,7 @@ struct Surface {
   bool is_plane = true;                   ///< kind is &plane_kind: what hot loops ask
   /// Every leaf that owns the surface is bounded: only what happens in the frame's unit cube matters of it.
   bool is_local = true;
-  /// False if a coefficient underflowed beside the largest one: then the doubles decide nothing.
+  /// False if a coefficient underflowed beside the largest one, or there are none: then the doubles decide nothing.
   bool in_range = true;
   bool is_mixed = false;  ///< it has terms xy, xz or yz
 
@@ -41,12 +43,18 @@ struct Surface {
 
   /// In the world's coordinates and times a power of two, rounded likewise.
   Coefficients world{};
-  PackedForm exact;  ///< coprime integers, first non-zero one positive
+  PackedForm exact;  ///< coprime integers, first non-zero one positive; no form if there is another one
+  /// The canonical form of a surface that is no plane and no quadric: all of the numbers above are 0 then, and out of
+  /// range. Else null.
+  std::shared_ptr<const OtherForm> other;
 };
 
 /// The floating-point forms of a canonical form. `near` should lie near the part of the surface that is seen; any
 /// finite point is right.
 Surface make_surface(PackedForm canonical, const Frame& frame, Point near, bool is_local);
+
+/// A surface that is no plane and no quadric, of a kind that takes its form.
+Surface make_surface(std::shared_ptr<const OtherForm> canonical, const SurfaceKind& kind, bool is_local);
 
 /// The gradient of the surface's form at p up to a positive factor, in plain double.
 Vector gradient(const Surface& surface, const Frame& frame, Point p);

@@ -10,6 +10,8 @@
 #include "csg/text/syntax/reader.h"
 #include "csg/text/syntax/writer.h"
 #include "tests/support/catch.h"
+#include "tests/support/membership.h"
+#include "tests/support/planted.h"
 #include "tests/support/random_solid.h"
 
 using namespace csgcast;
@@ -104,6 +106,19 @@ TEST_CASE("trees, transforms, parts and looks are read back as they are") {
   REQUIRE(back.kind() == Solid::Kind::look);
   CHECK(back.look().material == glass);
   CHECK(back.children()[0].look().paint == Paint{{1, 0, 0}, 1});
+}
+
+TEST_CASE("a truth function is written as unions and intersections of half-spaces, the same set") {
+  RandomSolids random(5);
+  for (const bool is_capped : {false, true}) {
+    const Solid l = transformed(test::l_prism(is_capped), translation({0.5, 0, 0}));
+    const Solid again = read_back(l);
+    for (int i = 0; i < 500; ++i) {
+      const Point p = random.point(2.5);
+      CHECK(test::contains(again, p) == test::contains(l, p));
+    }
+  }
+  CHECK_THROWS_AS(text::document_of(test::cut_cube(0.25, 0.5, 0.75)), Error);
 }
 
 TEST_CASE("nothing, everything, and faceted solids are written, too") {

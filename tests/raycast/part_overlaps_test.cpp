@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "raycast/ray/interval_list.h"
+#include "raycast/line/interval_list.h"
 #include "tests/support/catch.h"
 #include "tests/support/random_solid.h"
 #include "tests/support/scene_rays.h"

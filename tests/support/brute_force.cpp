@@ -7,6 +7,7 @@
 
 #include "csg/exact/dyadic.h"
 #include "csg/exact/quadric_form.h"
+#include "tests/support/planted.h"
 
 namespace csgcast::test {
 namespace {
@@ -27,8 +28,16 @@ struct Flip {
 
 class Definition {
  public:
-  Definition(const Scene& scene, const Ray& ray) : scene_(scene), positive_(scene.surfaces().size()) {
-    for (std::uint32_t i = 0; i < scene.surfaces().size(); ++i) add_surface(SurfaceId(i), ray);
+  Definition(const Scene& scene, const Ray& ray, const DefinedLeaf& function_leaf,
+             const std::optional<Departure>& departure)
+      : scene_(scene), function_leaf_(function_leaf), positive_(scene.surfaces().size()) {
+    for (std::uint32_t i = 0; i < scene.surfaces().size(); ++i) {
+      if (departure && departure->surface == SurfaceId(i)) {
+        add_departed(SurfaceId(i), ray, departure->side);
+      } else {
+        add_surface(SurfaceId(i), ray);
+      }
+    }
   }
 
   std::vector<DefinedInterval> run() {
@@ -56,16 +65,71 @@ class Definition {
   }
 
  private:
-  void add_surface(SurfaceId id, const Ray& ray) {
-    const auto c = scene_.surface(id).exact.unpacked().coefficient;
-    mpq_class slope = 0;
-    mpq_class value = fraction(c[Form::one]);
+  // A plane's form along the ray: value + slope t.
+  struct Along {
+    mpq_class value;
+    mpq_class slope;
+  };
+
+  static Along along(const QuadricForm& plane, const Ray& ray) {
+    const auto& c = plane.coefficient;
+    Along result{fraction(c[Form::one]), 0};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      slope += fraction(c[Form::x + axis]) * fraction(ray.direction()[axis]);
-      value += fraction(c[Form::x + axis]) * fraction(ray.origin()[axis]);
+      result.slope += fraction(c[Form::x + axis]) * fraction(ray.direction()[axis]);
+      result.value += fraction(c[Form::x + axis]) * fraction(ray.origin()[axis]);
     }
-    positive_[id.index()] = slope == 0 ? value >= 0 : slope < 0;
-    if (slope != 0) groups_[mpq_class(-value / slope)].push_back(id);
+    return result;
+  }
+
+  // A surface's form along the ray is the product of these.
+  std::vector<Along> factors(SurfaceId id, const Ray& ray) const {
+    const Surface& surface = scene_.surface(id);
+    if (surface.other == nullptr) return {along(surface.exact.unpacked(), ray)};
+    std::vector<Along> result;
+    for (const QuadricForm& plane : dynamic_cast<const ThreePlanes&>(*surface.other).planes())
+      result.push_back(along(plane, ray));
+    return result;
+  }
+
+  void add_surface(SurfaceId id, const Ray& ray) {
+    std::map<mpq_class, int> roots;
+    bool positive = true;
+    bool vanishes = false;
+    for (const Along& f : factors(id, ray)) {
+      vanishes = vanishes || (f.slope == 0 && f.value == 0);
+      positive = positive == (f.slope == 0 ? f.value > 0 : f.slope < 0);
+      if (f.slope != 0) ++roots[mpq_class(-f.value / f.slope)];
+    }
+    positive_[id.index()] = vanishes || positive;
+    for (const auto& [t, count] : roots) {
+      if (!vanishes && count % 2 != 0) groups_[t].push_back(id);
+    }
+  }
+
+  // The form is 0 at the start: one of its factors is t, and after the start it changes its sign at the others' roots.
+  void add_departed(SurfaceId id, const Ray& ray, Sense side) {
+    std::map<mpq_class, int> roots;
+    bool positive_at_end = true;
+    std::size_t sloped = 0;
+    bool vanishes = false;
+    for (const Along& f : factors(id, ray)) {
+      vanishes = vanishes || (f.slope == 0 && f.value == 0);
+      positive_at_end = positive_at_end == (f.slope == 0 ? f.value > 0 : f.slope > 0);
+      if (f.slope == 0) continue;
+      ++sloped;
+      if (-f.value / f.slope > 0) ++roots[mpq_class(-f.value / f.slope)];
+    }
+    const bool is_linear = vanishes || sloped <= 1;
+    const bool positive = is_linear && !vanishes && sloped == 1 ? positive_at_end : side == Sense::positive;
+    positive_[id.index()] = positive;
+    if (is_linear) return;
+    bool is_odd = false;
+    for (const auto& [t, count] : roots) {
+      if (count % 2 == 0) continue;
+      groups_[t].push_back(id);
+      is_odd = !is_odd;
+    }
+    if (is_odd != (positive != positive_at_end)) groups_[mpq_class(0)].push_back(id);
   }
 
   bool value(const std::vector<Flip>& flips) const { return node_value(scene_.root(), flips); }
@@ -89,15 +153,16 @@ class Definition {
   }
 
   bool leaf_value(LeafId id, const std::vector<Flip>& flips) const {
-    bool inside = true;
+    std::vector<bool> holds;
     for (const HalfSpace& half_space : scene_.half_spaces(scene_.leaf(id))) {
       bool positive = positive_[half_space.surface.index()];
       for (const Flip& flip : flips) {
         if (flip.surface == half_space.surface && (!flip.leaf.valid() || flip.leaf == id)) positive = !positive;
       }
-      inside = inside && positive == (half_space.sense == Sense::positive);
+      holds.push_back(positive == (half_space.sense == Sense::positive));
     }
-    return inside;
+    if (scene_.leaf(id).function != nullptr) return function_leaf_(holds);
+    return std::find(holds.begin(), holds.end(), false) == holds.end();
   }
 
   bool changes(const std::vector<bool>& state, std::vector<Flip> flips, const Flip& last) {
@@ -172,14 +237,17 @@ class Definition {
   }
 
   const Scene& scene_;
+  const DefinedLeaf& function_leaf_;
   std::vector<bool> positive_;
   std::map<mpq_class, std::vector<SurfaceId>> groups_;
 };
 
 }  // namespace
 
-std::vector<DefinedInterval> intervals_by_definition(const Scene& scene, const Ray& ray) {
-  return Definition(scene, ray).run();
+std::vector<DefinedInterval> intervals_by_definition(const Scene& scene, const Ray& ray,
+                                                     const DefinedLeaf& function_leaf,
+                                                     const std::optional<Departure>& departure) {
+  return Definition(scene, ray, function_leaf, departure).run();
 }
 
 }  // namespace csgcast::test

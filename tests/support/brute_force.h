@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include <gmpxx.h>
 
 #include "raycast/line/ray.h"
+#include "raycast/ray/caster.h"
 #include "raycast/scene/scene.h"
 
 namespace csgcast::test {
@@ -22,9 +25,15 @@ struct DefinedInterval {
   DefinedEnd exit;
 };
 
-/// The interval list of a scene of planes along the whole line, straight from the definition: all crossings of all
-/// surfaces as fractions, sorted, ties grouped; the whole tree evaluated between groups; the tie rule tried on the
-/// whole group. No culling, no merging, no filter.
-std::vector<DefinedInterval> intervals_by_definition(const Scene& scene, const Ray& ray);
+/// What a leaf with a function of its own is: whether a place is inside, by which of its half-spaces hold.
+using DefinedLeaf = std::function<bool(const std::vector<bool>& holds)>;
+
+/// The interval list of a scene of planes and products of planes (planted.h) along the whole line, straight from the
+/// definition: all crossings of all surfaces as fractions, sorted, ties grouped; the whole tree evaluated between
+/// groups; the tie rule tried on the whole group. No culling, no merging, no filter. Of a departure, which must start
+/// exactly on its surface, the list is right from the start on.
+std::vector<DefinedInterval> intervals_by_definition(const Scene& scene, const Ray& ray,
+                                                     const DefinedLeaf& function_leaf = {},
+                                                     const std::optional<Departure>& departure = {});
 
 }  // namespace csgcast::test

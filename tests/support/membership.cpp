@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/membership.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "csg/solid/leaf_shape.h"
 
 namespace csgcast::test {
@@ -36,13 +39,16 @@ int sign_of(const QuadricForm& f, const Homogeneous& at) {
 }
 
 std::optional<bool> in_leaf(const LeafShape& shape, const Homogeneous& at) {
-  bool inside = true;
+  std::vector<Truth> holds;
   for (const QuadricForm& form : shape.forms) {
     const int sign = sign_of(form, at);
     if (sign == 0) return std::nullopt;
-    inside = inside && sign < 0;
+    holds.push_back(truth(sign < 0));
   }
-  return inside;
+  if (shape.inside == nullptr) return std::find(holds.begin(), holds.end(), Truth::no) == holds.end();
+  std::vector<Truth> values;
+  evaluate(*shape.inside, holds, values);
+  return values.front() == Truth::yes;
 }
 
 // Test trees are shallow: recursion reads best.

@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "raycast/cells/build/cell_ground.h"
-#include "raycast/cells/formula/form_range.h"
 #include "raycast/cells/formula/formula.h"
+#include "raycast/scene/leaf_function.h"
+#include "raycast/surface/form_range.h"
 
 namespace csgcast::detail {
 
 /// Looks into one box after another: finds on which sides of surfaces it lies, and folds formulas by that. The sides of
 /// a surface are found once for each box. Working memory of one thread.
-class BoxFold {
+class BoxFold final : private LeafBox {
  public:
   /// The places in a box that sides are for.
   enum class Places : std::uint8_t {
@@ -26,7 +27,7 @@ class BoxFold {
   /// Goes on to another box. It is finite, unless places are of rays.
   void enter(const CellBox& box);
   /// The sides of a surface that the box meets; `both` if that is not known.
-  Sides sides_of(SurfaceId id) {
+  Sides sides_of(SurfaceId id) override {
     const std::size_t i = id.index();
     if (asked_in_[i] != box_number_) {
       asked_in_[i] = box_number_;
@@ -35,24 +36,31 @@ class BoxFold {
     return answer_[i];
   }
   /// `yes` if all of the box is on that side of the surface, `no` if nothing of it is.
-  Known known_of(SurfaceId id, bool positive) {
+  Truth known_of(SurfaceId id, bool positive) {
     const Sides sides = sides_of(id);
-    if (sides == Sides::both) return Known::open;
-    return (sides == Sides::positive) == positive ? Known::yes : Known::no;
+    if (sides == Sides::both) return Truth::unknown;
+    return (sides == Sides::positive) == positive ? Truth::yes : Truth::no;
   }
   /// `yes` if the leaf holds all of the box, `no` if it holds nothing of it.
-  Known known_of(LeafId id);
+  Truth known_of(LeafId id);
 
   /// Enters a box and makes `result` what the formula comes to in it. Precondition: they are two formulas.
   void fold(const Formula& from, const CellBox& box, Formula& result);
 
  private:
   Sides find_sides(SurfaceId id) const;
+  CellBox in_frame() const override { return ground_.frame_box_of(box_); }
+  FoldedTerm folded(const Term& half_space);
+  FoldedTerm folded(LeafId leaf);
 
   const CellGround& ground_;
   Places places_;
   CellBox box_{};
   Folder folder_;
+  Folder leaf_folder_;
+  Formula leaf_whole_;   // what a leaf that is no conjunction comes to in the box
+  Formula leaf_folded_;  // and with what is known there
+  TruthFormula leaf_terms_;
   std::uint32_t box_number_ = 0;
   std::vector<std::uint32_t> asked_in_;  // by surface: the number of the box that the answer is for
   std::vector<Sides> answer_;            // by surface

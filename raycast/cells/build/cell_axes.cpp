@@ -80,6 +80,32 @@ std::size_t served_by(const std::array<Row, 3>& axes, const std::vector<Directio
   return count;
 }
 
+Vector product(const std::array<Row, 3>& rows, Vector v) {
+  Vector result;
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = static_cast<double>(rows[i][0] * v.x + rows[i][1] * v.y + rows[i][2] * v.z);
+  return result;
+}
+
+// The box that holds a box after its points were multiplied by these rows.
+CellBox box_about(const std::array<Row, 3>& rows, const CellBox& box) {
+  const Vector size = box.upper - box.lower;
+  if (!(longest(size) < HUGE_VAL)) {
+    constexpr Vector far{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    const bool is_null = size.x < 0 || size.y < 0 || size.z < 0;
+    return is_null ? CellBox{far, -far} : CellBox{-far, far};
+  }
+  const Vector middle = product(rows, 0.5 * (box.lower + box.upper));
+  const Vector half = 0.5 * (box.upper - box.lower);
+  Vector reach;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Row& row = rows[i];
+    const long double sum = std::fabs(row[0]) * half.x + std::fabs(row[1]) * half.y + std::fabs(row[2]) * half.z;
+    reach[i] = static_cast<double>(sum) + 0x1p-48;
+  }
+  return {middle - reach, middle + reach};
+}
+
 }  // namespace
 
 std::array<Vector, 3> CellAxes::rounded() const {
@@ -89,11 +115,7 @@ std::array<Vector, 3> CellAxes::rounded() const {
   return result;
 }
 
-Vector CellAxes::turned(Vector v) const {
-  const Row wide{v.x, v.y, v.z};
-  return {static_cast<double>(dot(rows[0], wide)), static_cast<double>(dot(rows[1], wide)),
-          static_cast<double>(dot(rows[2], wide))};
-}
+Vector CellAxes::turned(Vector v) const { return product(rows, v); }
 
 CellForm CellAxes::turned(const CellForm& form) const {
   const auto& c = form.c;
@@ -125,22 +147,12 @@ CellForm CellAxes::turned(const CellForm& form) const {
   return result;
 }
 
-CellBox CellAxes::holding(const CellBox& box) const {
-  const Vector size = box.upper - box.lower;
-  if (!(longest(size) < HUGE_VAL)) {
-    constexpr Vector far{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    const bool is_null = size.x < 0 || size.y < 0 || size.z < 0;
-    return is_null ? CellBox{far, -far} : CellBox{-far, far};
-  }
-  const Vector middle = turned(0.5 * (box.lower + box.upper));
-  const Vector half = 0.5 * (box.upper - box.lower);
-  Vector reach;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Row& row = rows[i];
-    const long double sum = std::fabs(row[0]) * half.x + std::fabs(row[1]) * half.y + std::fabs(row[2]) * half.z;
-    reach[i] = static_cast<double>(sum) + 0x1p-48;
-  }
-  return {middle - reach, middle + reach};
+CellBox CellAxes::holding(const CellBox& box) const { return box_about(rows, box); }
+
+CellBox CellAxes::turned_back(const CellBox& box) const {
+  std::array<Row, 3> columns;
+  for (std::size_t i = 0; i < 3; ++i) columns[i] = {rows[0][i], rows[1][i], rows[2][i]};
+  return box_about(columns, box);
 }
 
 std::optional<CellAxes> common_axes(const Scene& scene) {

@@ -6,8 +6,8 @@
 
 #include "csg/base/length.h"
 #include "csg/base/vector.h"
-#include "raycast/cells/formula/form_range.h"
 #include "raycast/scene/scene.h"
+#include "raycast/surface/form_range.h"
 
 namespace csgcast::detail {
 
@@ -27,6 +27,8 @@ struct CellAxes {
   /// The box in these axes that holds a box of the frame. It is all of space if that box has an infinite side, and
   /// nothing (its lower sides above the upper ones) if that box is nothing.
   CellBox holding(const CellBox& box) const;
+  /// The box of the frame that holds a box in these axes, likewise.
+  CellBox turned_back(const CellBox& box) const;
 };
 
 /// The directions that most planes of a bounded scene are square to. Nothing if these are the frame's own axes, or if

@@ -122,7 +122,7 @@ double CellBuilder::build(const Part& part) {
   surfaces_.gather(formula);
   if (Formula simpler; leave_out_implied(formula, box, simpler))
     return build({{simpler, content.with_all != nullptr ? content.with_all : &formula}, box, depth, hopes});
-  const std::size_t surfaces = surfaces_.size();
+  const std::size_t surfaces = ground_.burden(surfaces_);
   if (surfaces < 2 || depth == most_depth) return maker_.add(content, box);
   std::vector<LeafId> leaves;
   for (const Term& term : formula.terms) {

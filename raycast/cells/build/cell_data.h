@@ -9,7 +9,7 @@
 #include "csg/base/ids.h"
 #include "csg/base/vector.h"
 #include "raycast/cells/build/lane_surface.h"
-#include "raycast/cells/formula/form_range.h"
+#include "raycast/surface/form_range.h"
 
 namespace csgcast::detail {
 

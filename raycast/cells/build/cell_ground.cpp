@@ -7,8 +7,10 @@
 #include "csg/base/length.h"
 #include "csg/base/precondition.h"
 #include "raycast/cells/build/cell_box.h"
-#include "raycast/cells/build/cell_builder.h"
+#include "raycast/cells/build/cell_data.h"
+#include "raycast/cells/formula/leaf_terms.h"
 #include "raycast/scene/even_looks.h"
+#include "raycast/surface/kind.h"
 
 namespace csgcast::detail {
 
@@ -25,6 +27,12 @@ CellGround::CellGround(const Scene& of, NodeId node) : scene(of) {
     slacks.push_back(slack_of_lines(forms.back(), near));
     surfaces.push_back(make_lane_surface(surface, axes ? &forms.back() : nullptr));
   }
+  forms.resize(literal_count(scene));
+  slacks.resize(literal_count(scene));
+  surfaces.resize(literal_count(scene));
+  leaves_some_to_caster_ = std::any_of(surfaces.begin(), surfaces.end(), [](const LaneSurface& surface) {
+    return surface.kind == LaneSurface::Kind::undecided;
+  });
   even_look = even_looks(scene);
   const bool has_cuts =
       std::any_of(scene.leaves().begin(), scene.leaves().end(), [](const Leaf& leaf) { return leaf.shows_cut; });
@@ -40,13 +48,35 @@ LookId CellGround::look_of(const Leaf& leaf, bool one_region) const {
 
 Sides CellGround::sides_for_rays(SurfaceId id, const CellBox& b) const {
   const std::size_t surface = id.index();
+  const SurfaceKind& kind = *scene.surface(id).kind;
+  if (!kind.has_lanes) return is_finite(b.lower) && is_finite(b.upper) ? sides_by_kind(id, b) : Sides::both;
   if (surfaces[surface].kind == LaneSurface::Kind::undecided) return Sides::both;
   const Vector half = 0.5 * (b.upper - b.lower);
   return is_finite(half) ? sides_of(form_in(surface, b), half) : sides_far_out(forms[surface], b);
 }
 
 Sides CellGround::sides_of_points(SurfaceId id, const CellBox& b) const {
+  if (!scene.surface(id).kind->has_lanes) return sides_by_kind(id, b);
   return scene.surface(id).in_range ? sides_within(forms[id.index()], b) : Sides::both;
+}
+
+Sides CellGround::sides_by_kind(SurfaceId id, const CellBox& b) const {
+  const Surface& surface = scene.surface(id);
+  return surface.kind->sides_in(surface, scene.frame(), frame_box_of(b));
+}
+
+CellBox CellGround::frame_box_of(CellBox b) const {
+  if (heights) {
+    b.lower.z = heights->low;
+    b.upper.z = heights->high;
+  }
+  return axes ? axes->turned_back(b) : b;
+}
+
+std::size_t CellGround::burden(const SurfaceSet& set) const {
+  const auto is_undecided = [&](SurfaceId id) { return surfaces[id.index()].kind == LaneSurface::Kind::undecided; };
+  if (!leaves_some_to_caster_ || std::none_of(set.list().begin(), set.list().end(), is_undecided)) return set.size();
+  return set.size() + Cell::most_slots;
 }
 
 void CellGround::place_leaves(NodeId node) {
@@ -75,6 +105,7 @@ CellBox CellGround::tight_box_of(const Box& world) const {
 CellBox CellGround::box_of_leaf(const Leaf& leaf, const Box& world) const {
   const CellBox straight = in_frame(world, scene.frame());
   if (!axes) return straight;
+  if (leaf.function != nullptr) return axes->holding(straight);  // it need not lie within its half-spaces
   CellBox result = axes->holding(straight);
   constexpr double margin = 0x1p-31;
   const auto cut = [&](std::size_t axis, double low, double high) {

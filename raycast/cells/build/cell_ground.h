@@ -10,8 +10,9 @@
 #include "raycast/cells/build/cell_axes.h"
 #include "raycast/cells/build/cut_look.h"
 #include "raycast/cells/build/lane_surface.h"
-#include "raycast/cells/formula/form_range.h"
+#include "raycast/cells/formula/surface_set.h"
 #include "raycast/scene/scene.h"
+#include "raycast/surface/form_range.h"
 
 namespace csgcast::detail {
 
@@ -22,10 +23,16 @@ struct CellGround {
   CellGround(const Scene& scene, NodeId node);
 
   const Scene& scene;
-  std::optional<CellAxes> axes;         ///< the axes of the cells, if they are not the frame's
-  std::vector<CellForm> forms;          ///< by surface
+  std::optional<CellAxes> axes;  ///< the axes of the cells, if they are not the frame's
+  /// Of the ground of a section, whose forms do not depend on z: where it lies on that axis.
+  struct Heights {
+    double low;
+    double high;
+  };
+  std::optional<Heights> heights;
+  std::vector<CellForm> forms;          ///< by surface; by leaf with a function after them (leaf_terms.h)
   std::vector<double> slacks;           ///< by surface: a slack for lines of its form in any box near the frame's cube
-  std::vector<LaneSurface> surfaces;    ///< by surface
+  std::vector<LaneSurface> surfaces;    ///< by surface and leaf likewise
   std::vector<CellBox> leaf_boxes;      ///< by leaf
   std::vector<std::uint8_t> even_look;  ///< by region: 1 if all that it is made of, and its faces, look the same
   HolderTree holders;                   ///< empty if no leaf shows cuts
@@ -54,11 +61,20 @@ struct CellGround {
   CellBox box_of(const Box& world) const;
   /// The same box without that room.
   CellBox tight_box_of(const Box& world) const;
+  /// A box of the frame that holds a box of the cells.
+  CellBox frame_box_of(CellBox b) const;
+
+  /// What a cell that these cross costs, as a number of surfaces: more than a cell may have if rays are left to the
+  /// caster there.
+  std::size_t burden(const SurfaceSet& set) const;
 
  private:
   static constexpr double near_side = 1.125;  // the frame's cube, and room
 
+  bool leaves_some_to_caster_ = false;  // some of `surfaces` are undecided
+
   static bool is_near(const CellBox& b) { return longest(b.lower) <= near_side && longest(b.upper) <= near_side; }
+  Sides sides_by_kind(SurfaceId id, const CellBox& b) const;
   void place_leaves(NodeId node);
   CellBox box_of_leaf(const Leaf& leaf, const Box& world) const;
   CellBox turned_box_of(NodeId node) const;

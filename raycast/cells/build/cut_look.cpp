@@ -59,29 +59,29 @@ HolderTree::HolderTree(const Scene& scene, NodeId root) {
 }
 
 // Sets the value of each entry. Operands come after their operators, so from the back they are known first.
-void HolderTree::evaluate(Search& search, const std::function<Known(LeafId)>& leaf) const {
-  std::vector<Known>& value = search.value;
-  value.assign(entries_.size(), Known::open);
+void HolderTree::evaluate(Search& search, const std::function<Truth(LeafId)>& leaf) const {
+  std::vector<Truth>& value = search.value;
+  value.assign(entries_.size(), Truth::unknown);
   for (std::size_t i = entries_.size(); i-- > 0;) {
     const Entry& entry = entries_[i];
     std::size_t operands = 0, yes = 0, no = 0;
     for (std::size_t k = i + 1; k < entry.end; k = entries_[k].end) {
       ++operands;
-      yes += value[k] == Known::yes ? 1 : 0;
-      no += value[k] == Known::no ? 1 : 0;
+      yes += value[k] == Truth::yes ? 1 : 0;
+      no += value[k] == Truth::no ? 1 : 0;
     }
     switch (entry.op) {
       case Entry::Op::leaf:
         value[i] = leaf(entry.leaf);
         break;
       case Entry::Op::unite:
-        value[i] = yes > 0 ? Known::yes : no == operands ? Known::no : Known::open;
+        value[i] = yes > 0 ? Truth::yes : no == operands ? Truth::no : Truth::unknown;
         break;
       case Entry::Op::intersect:
-        value[i] = no > 0 ? Known::no : yes == operands ? Known::yes : Known::open;
+        value[i] = no > 0 ? Truth::no : yes == operands ? Truth::yes : Truth::unknown;
         break;
       case Entry::Op::subtract:
-        value[i] = no > 0 ? Known::no : Known::open;  // what is subtracted is not looked at
+        value[i] = no > 0 ? Truth::no : Truth::unknown;  // what is subtracted is not looked at
         break;
       case Entry::Op::other:
         break;
@@ -101,10 +101,10 @@ void HolderTree::gather(Search& search) const {
     const Entry& entry = entries_[i];
     if (entry.op == Entry::Op::leaf) search.candidates.push_back({entry.leaf.index(), state[i] == sure});
     std::size_t possible = 0;
-    for (std::size_t k = i + 1; k < entry.end; k = entries_[k].end) possible += search.value[k] != Known::no ? 1 : 0;
+    for (std::size_t k = i + 1; k < entry.end; k = entries_[k].end) possible += search.value[k] != Truth::no ? 1 : 0;
     for (std::size_t k = i + 1; k < entry.end; k = entries_[k].end) {
-      if (search.value[k] == Known::no) continue;
-      const bool follows = entry.op != Entry::Op::unite || possible == 1 || search.value[k] == Known::yes;
+      if (search.value[k] == Truth::no) continue;
+      const bool follows = entry.op != Entry::Op::unite || possible == 1 || search.value[k] == Truth::yes;
       state[k] = follows ? state[i] : std::uint8_t{maybe};
     }
   }
@@ -113,7 +113,7 @@ void HolderTree::gather(Search& search) const {
 }
 
 HolderTree::Shown HolderTree::shown(const Scene& scene, Search& search,
-                                    const std::function<Known(LeafId)>& leaf) const {
+                                    const std::function<Truth(LeafId)>& leaf) const {
   if (!is_small_) return {};
   evaluate(search, leaf);
   gather(search);

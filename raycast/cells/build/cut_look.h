@@ -23,7 +23,7 @@ class HolderTree {
       std::uint32_t leaf;
       bool is_sure;
     };
-    std::vector<Known> value;
+    std::vector<Truth> value;
     std::vector<Candidate> candidates;
   };
 
@@ -36,7 +36,7 @@ class HolderTree {
 
   /// What cuts show in a part of space. `leaf` tells if a leaf holds all of that part, nothing of it, or, as far as is
   /// known, some.
-  Shown shown(const Scene& scene, Search& search, const std::function<Known(LeafId)>& leaf) const;
+  Shown shown(const Scene& scene, Search& search, const std::function<Truth(LeafId)>& leaf) const;
 
  private:
   struct Entry {
@@ -46,7 +46,7 @@ class HolderTree {
     LeafId leaf;
   };
 
-  void evaluate(Search& search, const std::function<Known(LeafId)>& leaf) const;
+  void evaluate(Search& search, const std::function<Truth(LeafId)>& leaf) const;
   void gather(Search& search) const;
 
   std::vector<Entry> entries_;  // in prefix order

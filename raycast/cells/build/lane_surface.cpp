@@ -8,6 +8,7 @@
 #include "csg/base/length.h"
 #include "csg/exact/quadric_form.h"
 #include "raycast/cells/build/cell_data.h"
+#include "raycast/surface/kind.h"
 
 // By the constants here lanes know what is certain. They hold for rays whose point near the frame's center lies within
 // |q| <= 4, and for events within |tau| <= 8 of it. They are derived in docs/accuracy.md, "Lanes".
@@ -181,7 +182,7 @@ double revolved_off(const LaneSurface& surface, const CellBox& box) {
 }
 
 LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned) {
-  if (!surface.in_range) return {};
+  if (!surface.in_range || !surface.kind->has_lanes) return {};
   if (surface.is_plane) return plane(surface, turned);
   const LaneSurface round = sphere(surface);
   if (round.kind != LaneSurface::Kind::undecided) return round;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "raycast/cells/formula/form_range.h"
+#include "raycast/surface/form_range.h"
 #include "raycast/surface/surface.h"
 
 namespace csgcast::detail {

@@ -95,7 +95,9 @@ SectionGround section_ground(const CellGround& of, NodeId node, Vector normal, d
     return box;
   };
   const CellBox whole = ground->box_of(scene.node(node).box);
-  for (std::size_t i = 0; i < ground->forms.size(); ++i) {
+  ground->heights =
+      CellGround::Heights{static_cast<double>(height) - (off + 0x1p-50), static_cast<double>(height) + (off + 0x1p-50)};
+  for (std::size_t i = 0; i < scene.surfaces().size(); ++i) {
     const Surface& surface = scene.surfaces()[i];
     ground->forms[i] = at_height(axes.turned({surface.local, surface.center}), height, off, whole);
   }

@@ -12,7 +12,7 @@ void ContextFold::visit(std::size_t at, const Literals& context) {
   if (terms_[at].op != Term::Op::half_space) return visit_operands(at, context);
   const std::size_t literal = literals_[at];
   if (!context.test(literal) && !context.test(literal ^ 1)) return;
-  known_[at] = context.test(literal) ? Known::yes : Known::no;
+  known_[at] = context.test(literal) ? Truth::yes : Truth::no;
   any_ = true;
 }
 
@@ -50,7 +50,7 @@ bool ContextFold::drop_covered(const std::vector<Told>& told, std::size_t operan
   if (told[operand].own.none() || told.size() > most_compared) return false;
   for (std::size_t other = 0; other < told.size(); ++other) {
     if (other == operand || told[other].own.none() || (told[other].own & ~holds).any()) continue;
-    known_[terms_[at].op == Term::Op::leaf ? at + 1 : at] = Known::no;
+    known_[terms_[at].op == Term::Op::leaf ? at + 1 : at] = Truth::no;
     return any_ = true;
   }
   return false;
@@ -64,8 +64,8 @@ ContextFold::Told ContextFold::told_by(std::size_t at) const {
   Told told;
   std::size_t open = 0;
   for (std::size_t i = first; i < at + terms_[at].size; ++i) {
-    if (known_[i] == Known::no) return {};
-    if (known_[i] == Known::yes) continue;
+    if (known_[i] == Truth::no) return {};
+    if (known_[i] == Truth::yes) continue;
     told.own.set(literals_[i]);
     told.holds |= implications_.by(literals_[i]);
     told.fails = implications_.by(literals_[i] ^ std::uint8_t{1});

@@ -18,7 +18,7 @@ class ContextFold {
   /// `literals`: by term, the literal of each half-space. `known`: by term, all open; run() sets what it finds. All
   /// arguments must outlive this.
   ContextFold(const Formula& formula, const Implications& implications, const std::vector<std::uint8_t>& literals,
-              std::vector<Known>& known)
+              std::vector<Truth>& known)
       : terms_(formula.terms), implications_(implications), literals_(literals), known_(known) {}
 
   /// False if no half-space was found. Precondition: the formula is not constant.
@@ -42,7 +42,7 @@ class ContextFold {
   const std::vector<Term>& terms_;
   const Implications& implications_;
   const std::vector<std::uint8_t>& literals_;
-  std::vector<Known>& known_;
+  std::vector<Truth>& known_;
   bool any_ = false;
 };
 

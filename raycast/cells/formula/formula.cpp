@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "raycast/cells/formula/leaf_terms.h"
+
 namespace csgcast::detail {
 namespace {
 
@@ -70,18 +72,10 @@ class Layout {
     const Node& node = scene_.node(id);
     if (id == replaced_) return add_constant(as_everything_);
     if (near_ != nullptr && csgcast::intersection(node.box, *near_).is_null()) return add_constant(false);
-    const auto start = static_cast<std::uint32_t>(formula_.terms.size());
-    if (node.op == Node::Op::leaf) {
-      const auto half_spaces = scene_.half_spaces(scene_.leaf(LeafId(node.first)));
-      formula_.terms.push_back({static_cast<std::uint32_t>(half_spaces.size()) + 1, node.first, Term::Op::leaf});
-      for (const HalfSpace& half_space : half_spaces) {
-        const std::uint32_t side = half_space.sense == Sense::positive ? 1 : 0;
-        formula_.terms.push_back({1, 2 * half_space.surface.index() + side, Term::Op::half_space});
-      }
-      return;
-    }
+    if (node.op == Node::Op::leaf) return append_leaf(scene_, LeafId(node.first), formula_.terms);
     if (node.op == Node::Op::empty || node.op == Node::Op::everything)
       return add_constant(node.op == Node::Op::everything);
+    const auto start = static_cast<std::uint32_t>(formula_.terms.size());
     formula_.terms.push_back({1, 0, op_of(node.op)});
     open_.push_back({scene_.children(node), 0, start});
   }
@@ -115,7 +109,7 @@ Formula joined(Term::Op op, Add&& add) {
   whole.terms.front().size = static_cast<std::uint32_t>(whole.terms.size());
   Formula folded;
   Folder().fold(
-      whole, folded, [](const Term&) { return Known::open; }, [](const Term&) { return Known::open; });
+      whole, folded, [](const Term&) { return Truth::unknown; }, [](const Term&) { return Truth::unknown; });
   return folded;
 }
 
@@ -188,8 +182,8 @@ void Folder::open(const Term& term) {
   ++at_;
 }
 
-void Folder::deliver(Known value, std::span<const Term> operand) {
-  if (value != Known::open) return settle(value == Known::yes);
+void Folder::deliver(Truth value, std::span<const Term> operand) {
+  if (value != Truth::unknown) return settle(value == Truth::yes);
   result_->terms.insert(result_->terms.end(), operand.begin(), operand.end());
   keep();
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "csg/base/precondition.h"
+#include "csg/base/truth.h"
 #include "raycast/scene/scene.h"
 
 namespace csgcast::detail {
@@ -18,7 +19,9 @@ struct Term {
   enum class Op : std::uint8_t { unite, intersect, subtract, complement, leaf, half_space };
 
   std::uint32_t size = 1;  ///< the number of entries of the term: itself and its operands
-  std::uint32_t what = 0;  ///< a leaf's LeafId; twice a half-space's SurfaceId, plus 1 for the positive side
+  /// A leaf's LeafId; twice a half-space's SurfaceId, or the number of a leaf's own literal (leaf_terms.h), plus 1 for
+  /// the positive side.
+  std::uint32_t what = 0;
   Op op = Op::unite;
   bool is_wider = false;  ///< a leaf lacks half-spaces which matter to it, but not to the formula
 
@@ -27,7 +30,8 @@ struct Term {
 };
 
 /// A scene's tree over half-spaces, as far as it is not constant in some part of space. Terms are in prefix order; a
-/// leaf is the conjunction of its half-spaces. Without terms the formula is the constant `value`.
+/// leaf's term is the conjunction of its half-spaces, and a leaf that is no conjunction has several. Without terms the
+/// formula is the constant `value`.
 struct Formula {
   std::vector<Term> terms;
   bool value = false;
@@ -47,30 +51,38 @@ Formula formula_of_common(const Scene& scene, NodeId a, NodeId b);
 std::optional<Formula> formula_of_effect(const Scene& scene, NodeId root, NodeId node, bool as_everything,
                                          const Box& near, std::size_t most_terms);
 
-/// What is known of a term's value where a formula is folded.
-enum class Known : std::uint8_t { no, yes, open };
+/// What a half-space comes to where a formula is folded.
+struct FoldedTerm {
+  Truth value;
+  /// The terms that stand for it, and for the leaf that it is all of, if the value is unknown. None: it stays.
+  std::span<const Term> instead{};
+
+  FoldedTerm(Truth known) : value(known) {}  // NOLINT(google-explicit-constructor): most are no more than that
+  FoldedTerm(Truth known, std::span<const Term> terms) : value(known), instead(terms) {}
+};
 
 /// Rewrites a formula, given what is known of its leaves and half-spaces: the result is equivalent in every state of
 /// the surfaces that stay open. It takes one pass over the terms, with a stack of its own: trees may be a million deep.
 /// Keeps its memory.
 class Folder {
  public:
-  /// `leaf(term)` and `half_space(term)` tell what is known. Unless a leaf is known to hold nothing, its half-spaces
-  /// are asked for. Precondition: `from` and `result` are two formulas.
+  /// `leaf(term)` tells a Truth, `half_space(term)` a FoldedTerm. Unless a leaf is known to hold nothing, its
+  /// half-spaces are asked for. Precondition: `from` and `result` are two formulas.
   template <class LeafKnown, class HalfSpaceKnown>
   void fold(const Formula& from, Formula& result, LeafKnown&& leaf, HalfSpaceKnown&& half_space) {
     begin(from, result);
     while (at_ < from.terms.size() && !done_) {
       const Term& term = from.terms[at_];
       const bool is_leaf = term.op == Term::Op::leaf;
-      if (is_leaf && leaf(term) == Known::no) {
+      if (is_leaf && leaf(term) == Truth::no) {
         at_ += term.size;
         settle(false);
       } else if (term.op == Term::Op::half_space || (is_leaf && term.size == 2)) {
         // The term is a half-space, or a leaf of one.
         const std::span<const Term> whole(&term, term.size);
         at_ += term.size;
-        deliver(half_space(whole.back()), whole);
+        const FoldedTerm folded = half_space(whole.back());
+        deliver(folded.value, folded.instead.empty() ? whole : folded.instead);
       } else {
         open(term);
       }
@@ -90,7 +102,7 @@ class Folder {
 
   void begin(const Formula& from, Formula& result);
   void open(const Term& term);
-  void deliver(Known value, std::span<const Term> operand);
+  void deliver(Truth value, std::span<const Term> operand);
   void keep();
   void settle(bool value);
   void close_finished();

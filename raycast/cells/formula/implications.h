@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "csg/base/truth_table.h"
-#include "raycast/cells/formula/form_range.h"
+#include "raycast/surface/form_range.h"
 
 namespace csgcast::detail {
 

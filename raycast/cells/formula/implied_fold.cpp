@@ -14,13 +14,13 @@ bool ImpliedFold::fold(const Formula& formula, const SurfaceSet& surfaces, const
                        Formula& simpler) {
   if (!implications.any()) return false;
   set_literals(formula, surfaces);
-  known_.assign(formula.terms.size(), Known::open);
+  known_.assign(formula.terms.size(), Truth::unknown);
   const bool any = surfaces.size() <= TruthTable::most_values
                        ? find_needless(formula, surfaces, implications)
                        : ContextFold(formula, implications, literals_, known_).run();
   if (!any) return false;
   folder_.fold(
-      formula, simpler, [](const Term&) { return Known::open; },
+      formula, simpler, [](const Term&) { return Truth::unknown; },
       [&](const Term& term) { return known_[static_cast<std::size_t>(&term - formula.terms.data())]; });
   mark_wider(formula, simpler);
   return true;
@@ -41,14 +41,14 @@ bool ImpliedFold::find_needless(const Formula& formula, const SurfaceSet& surfac
   table_.tabulate(formula, surfaces);
   TruthTable table = table_.as_function();
   const TruthTable impossible = implications.impossible_states();
-  std::array<Known, TruthTable::most_values> positive;  // by surface: the sign that it may be taken to have
-  positive.fill(Known::open);
+  std::array<Truth, TruthTable::most_values> positive;  // by surface: the sign that it may be taken to have
+  positive.fill(Truth::unknown);
   bool any = false;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     for (const bool value : {false, true}) {
       const TruthTable fixed = table.with(i, value);
       if (exceeds(table ^ fixed, impossible)) continue;
-      positive[i] = value ? Known::yes : Known::no;
+      positive[i] = value ? Truth::yes : Truth::no;
       table = fixed;
       any = true;
       break;
@@ -57,8 +57,9 @@ bool ImpliedFold::find_needless(const Formula& formula, const SurfaceSet& surfac
   if (!any) return false;
   for (std::size_t at = 0; at < formula.terms.size(); ++at) {
     if (formula.terms[at].op != Term::Op::half_space) continue;
-    const Known known = positive[literals_[at] / 2];
-    if (known != Known::open) known_[at] = (known == Known::yes) == (literals_[at] % 2 != 0) ? Known::yes : Known::no;
+    const Truth known = positive[literals_[at] / 2];
+    if (known != Truth::unknown)
+      known_[at] = (known == Truth::yes) == (literals_[at] % 2 != 0) ? Truth::yes : Truth::no;
   }
   return true;
 }
@@ -70,7 +71,7 @@ void ImpliedFold::mark_wider(const Formula& formula, Formula& simpler) {
     const Term& leaf = formula.terms[at];
     if (leaf.op != Term::Op::leaf) continue;
     const auto sides = std::span(known_).subspan(at + 1, leaf.size - 1);
-    if (std::find(sides.begin(), sides.end(), Known::yes) != sides.end()) wider_.push_back(leaf.what);
+    if (std::find(sides.begin(), sides.end(), Truth::yes) != sides.end()) wider_.push_back(leaf.what);
   }
   std::sort(wider_.begin(), wider_.end());
   for (Term& term : simpler.terms) {

@@ -36,7 +36,7 @@ class ImpliedFold {
   Folder folder_;
   FormulaTable table_;
   std::vector<std::uint8_t> literals_;  // by term: of half-spaces, as Implications counts them
-  std::vector<Known> known_;            // by term: the value that a half-space may be given
+  std::vector<Truth> known_;            // by term: the value that a half-space may be given
   std::vector<std::uint32_t> wider_;    // LeafIds, sorted
 };
 

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 
+#include "raycast/scene/leaf_function.h"
+
 namespace csgcast::detail {
 
 void ChoiceSearch::clear() {
   positions_.clear();
+  functions_.clear();
   surfaces_.clear();
 }
 
@@ -18,6 +21,10 @@ void ChoiceSearch::add(std::uint32_t slot, const HalfSpace& half_space, int sign
     if (known == surfaces_.end()) surfaces_.push_back(half_space.surface);
   }
   positions_.push_back({slot, half_space.sense == Sense::positive, sign, choice});
+}
+
+void ChoiceSearch::set_function(std::uint32_t slot, const LeafFunction& function, std::size_t half_spaces) {
+  functions_.push_back({slot, &function, positions_.size() - half_spaces, positions_.size()});
 }
 
 Location ChoiceSearch::run(LocalTree& tree) {
@@ -40,13 +47,20 @@ Location ChoiceSearch::run(LocalTree& tree) {
   return Location::boundary;
 }
 
+Truth ChoiceSearch::holds(const Position& position) const {
+  const int sign = sign_of(position);
+  return sign == 0 ? Truth::unknown : truth((sign > 0) == position.wants_positive);
+}
+
 // The tree's value under the choices made so far.
 Truth ChoiceSearch::evaluate(LocalTree& tree) {
   leaf_truth_.assign(tree.leaves().size(), Truth::yes);
-  for (const Position& position : positions_) {
-    const int sign = sign_of(position);
-    const Truth holds = sign == 0 ? Truth::unknown : truth((sign > 0) == position.wants_positive);
-    leaf_truth_[position.slot] = std::min(leaf_truth_[position.slot], holds);
+  for (const Position& position : positions_)
+    leaf_truth_[position.slot] = std::min(leaf_truth_[position.slot], holds(position));
+  for (const FunctionLeaf& leaf : functions_) {
+    holds_.clear();
+    for (std::size_t i = leaf.first; i < leaf.end; ++i) holds_.push_back(holds(positions_[i]));
+    leaf_truth_[leaf.slot] = leaf.function->value(holds_);
   }
   return tree.evaluate(leaf_truth_);
 }

@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "raycast/line/box_line.h"
-#include "raycast/ray/interval_list.h"
+#include "raycast/line/interval_list.h"
+#include "raycast/scene/half_space_runs.h"
+#include "raycast/scene/leaf_function.h"
 
 namespace csgcast::detail {
 
@@ -145,35 +147,30 @@ std::optional<Interval> Evaluator::run_inside_planes(const Leaf& leaf) {
   return run;
 }
 
-void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list) {
+void Evaluator::conjunction_intervals(const Leaf& leaf, IntervalList& list) {
   const std::optional<Interval> run = run_inside_planes(leaf);
   if (!run) return;
   list.push_back(*run);
   for (const HalfSpace& half_space : scene_.half_spaces(leaf)) {
     if (scene_.surface(half_space.surface).is_plane) continue;
-    half_space_intervals(half_space);
+    half_space_runs(cache_, half_space, half_space_);
     combine<Intersection>(list, half_space_, scratch_,
                           [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); });
     std::swap(list, scratch_);
+  }
+}
+
+void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list) {
+  if (leaf.function == nullptr) {
+    conjunction_intervals(leaf, list);
+  } else {
+    leaf.function->intervals(scene_.half_spaces(leaf), cache_, reach, list, of_function_);
   }
   // Crossings of a local surface outside the frame's cube may be missing (predicates.h). The intervals that this makes
   // wrong lie outside the leaf's box.
   std::erase_if(list, [&](const Interval& interval) {
     return cache_.earliest(interval.entry) > reach.to || cache_.latest(interval.exit) < reach.from;
   });
-}
-
-// Fills half_space_ with the runs of the line that are in the half-space of a quadric.
-void Evaluator::half_space_intervals(const HalfSpace& half_space) {
-  const LineCrossings& found = cache_.found(half_space.surface);
-  half_space_.clear();
-  Crossing from = line_start();
-  for (unsigned n = 0; n <= found.count; ++n) {
-    const Crossing to =
-        n < found.count ? cache_.crossing(half_space.surface, static_cast<std::uint8_t>(n)) : line_end();
-    if (found.positive_after(n) == (half_space.sense == Sense::positive)) half_space_.push_back({from, to});
-    from = to;
-  }
 }
 
 }  // namespace csgcast::detail

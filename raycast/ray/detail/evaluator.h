@@ -52,7 +52,7 @@ class Evaluator {
   void merge_into_parent(const OpenNode& parent);
   std::optional<Interval> run_inside_planes(const Leaf& leaf);
   void leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list);
-  void half_space_intervals(const HalfSpace& half_space);
+  void conjunction_intervals(const Leaf& leaf, IntervalList& list);
   IntervalList& push_list();
 
   const Scene& scene_;
@@ -64,6 +64,7 @@ class Evaluator {
   std::size_t list_count_ = 0;
   IntervalList scratch_;
   IntervalList half_space_;
+  std::vector<IntervalList> of_function_;  // what a leaf's function uses
   std::uint64_t box_tests_ = 0;
   std::uint64_t leaf_tests_ = 0;
 };

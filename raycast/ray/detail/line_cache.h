@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "raycast/line/crossing.h"
+#include "raycast/scene/leaf_function.h"
 #include "raycast/scene/scene.h"
 #include "raycast/surface/predicates.h"
 
@@ -16,13 +17,13 @@ namespace csgcast::detail {
 
 /// One ray's crossings with the surfaces of a scene, each computed when first asked for. Turning to another ray costs
 /// nothing per surface.
-class LineCache {
+class LineCache final : public LeafLine {
  public:
   LineCache(const Scene& scene, const Predicates& predicates);
 
   /// Turns to another ray. `departure` is the surface that the ray starts on, going to that side; not valid if none.
   void begin(const Ray& ray, SurfaceId departure, Sense side);
-  const Ray& ray() const { return line_.ray; }
+  const Ray& ray() const override { return line_.ray; }
   /// How often the crossings of a ray and a surface were computed since the cache was made.
   std::uint64_t surface_tests() const { return surface_tests_; }
   /// The decisions that double left open since the cache was made.
@@ -33,9 +34,9 @@ class LineCache {
   }
 
   /// The crossings of the present ray's line with a surface.
-  const LineCrossings& found(SurfaceId id);
+  const LineCrossings& found(SurfaceId id) override;
   /// One of them, with a t that is a few roundings off. Precondition: root < found(id).count.
-  Crossing crossing(SurfaceId id, std::uint8_t root) {
+  Crossing crossing(SurfaceId id, std::uint8_t root) override {
     return {finite(line_.in_frame.t(found(id).tau(root))), id, root};
   }
   /// The crossing with the t to report. An end that no surface makes stays as it is.
@@ -56,7 +57,7 @@ class LineCache {
   }
 
   /// Which of two crossings comes first. Either may be an end that no surface makes, such as an infinite one.
-  std::weak_ordering order(const Crossing& a, const Crossing& b);
+  std::weak_ordering order(const Crossing& a, const Crossing& b) override;
   /// Orders a crossing and a number, which may be infinite.
   std::weak_ordering order(const Crossing& a, double t);
   /// How many crossings of the surface come before `at`, and whether the next one ties with it.

@@ -4,11 +4,6 @@
 #include <algorithm>
 
 namespace csgcast::detail {
-namespace {
-
-Truth negated(Truth value) { return static_cast<Truth>(2 - static_cast<int>(value)); }
-
-}  // namespace
 
 void LocalTree::clear() {
   entries_.clear();
@@ -56,7 +51,7 @@ Truth LocalTree::value_of(const Entry& entry) const {
     case Node::Op::everything:
       return Truth::yes;
     case Node::Op::complement:
-      return negated(value_[children[0]]);
+      return opposite(value_[children[0]]);
     case Node::Op::unite: {
       Truth value = Truth::no;
       for (const std::uint32_t child : children) value = std::max(value, value_[child]);
@@ -69,7 +64,7 @@ Truth LocalTree::value_of(const Entry& entry) const {
     }
     case Node::Op::subtract: {
       Truth value = value_[children[0]];
-      for (const std::uint32_t child : children.subspan(1)) value = std::min(value, negated(value_[child]));
+      for (const std::uint32_t child : children.subspan(1)) value = std::min(value, opposite(value_[child]));
       return value;
     }
   }

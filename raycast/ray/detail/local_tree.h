@@ -6,14 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "csg/base/truth.h"
 #include "raycast/scene/scene.h"
 
 namespace csgcast::detail {
-
-/// False, true, or not known (Kleene's logic).
-enum class Truth : std::uint8_t { no, unknown, yes };
-
-constexpr Truth truth(bool value) { return value ? Truth::yes : Truth::no; }
 
 /// The part of a scene's tree that matters near one place: nodes whose boxes do not hold the place count as empty. It
 /// is small, and can be evaluated many times.

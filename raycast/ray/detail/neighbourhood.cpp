@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "raycast/line/box_line.h"
+#include "raycast/scene/leaf_function.h"
 
 namespace csgcast::detail {
 
@@ -75,7 +76,13 @@ void Neighbourhood::gather_group() {
   group_start_.push_back(static_cast<std::uint32_t>(by_group_.size()));
 }
 
-Truth Neighbourhood::leaf_truth(std::uint32_t slot) const {
+Truth Neighbourhood::leaf_truth(std::uint32_t slot) {
+  if (const LeafFunction* function = scene_.leaf(tree_.leaves()[slot]).function) {
+    holds_.clear();
+    for (std::uint32_t i = leaf_start_[slot]; i < leaf_start_[slot + 1]; ++i)
+      holds_.push_back(truth(positions_[i].holds[side_] != positions_[i].flipped));
+    return function->value(holds_);
+  }
   for (std::uint32_t i = leaf_start_[slot]; i < leaf_start_[slot + 1]; ++i) {
     if (positions_[i].holds[side_] == positions_[i].flipped) return Truth::no;
   }

@@ -58,7 +58,7 @@ class Neighbourhood {
   }
   bool set_base(const Base& base);
   bool flip(std::span<const std::uint32_t> positions);
-  Truth leaf_truth(std::uint32_t slot) const;
+  Truth leaf_truth(std::uint32_t slot);
   void choose_surface();
   bool chosen_by_single_flip();
   void chosen_by_walk();
@@ -82,6 +82,7 @@ class Neighbourhood {
   std::vector<std::uint32_t> group_start_;  // where each group's positions start in by_group_, and the end
   std::vector<std::uint32_t> owner_start_;  // the same for the leaves that own the chosen surface
   std::vector<Truth> leaf_truth_;
+  std::vector<Truth> holds_;             // what a leaf's function is asked with
   std::uint32_t chosen_ = not_in_group;  // the bounding surface, an index into group_, once it is chosen
   std::vector<Base> bases_;              // the states in which flipping the chosen surface changes the result
 };

@@ -16,8 +16,10 @@ Location PointLocator::locate(NodeId node, Point p) {
   near_.build(scene_, node, [&](const Box& box) { return box.contains(p); });
   search_.clear();
   for (std::uint32_t slot = 0; slot < near_.leaves().size(); ++slot) {
-    for (const HalfSpace& half_space : scene_.half_spaces(scene_.leaf(near_.leaves()[slot])))
+    const Leaf& leaf = scene_.leaf(near_.leaves()[slot]);
+    for (const HalfSpace& half_space : scene_.half_spaces(leaf))
       search_.add(slot, half_space, sign_at(scene_.surface(half_space.surface), p));
+    if (leaf.function != nullptr) search_.set_function(slot, *leaf.function, leaf.count);
   }
   return search_.run(near_);
 }

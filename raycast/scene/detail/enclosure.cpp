@@ -118,7 +118,9 @@ class Enclosure {
     if (children.empty()) {
       found_.emplace_back();
       if (node.op != Node::Op::leaf) return;
-      const auto own = scene_.half_spaces(scene_.leaf(LeafId(node.first)));
+      const Leaf& leaf = scene_.leaf(LeafId(node.first));
+      if (leaf.function != nullptr) return;  // it need not lie within any of its half-spaces
+      const auto own = scene_.half_spaces(leaf);
       found_.back().assign(own.begin(), own.end());
       return;
     }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "csg/solid/bounds.h"
+#include "raycast/scene/detail/formula_function.h"
 
 namespace csgcast::detail {
 namespace {
@@ -41,6 +42,7 @@ std::optional<Box> LeafBuilder::add(const Solid& solid, const Placement& placeme
   const Box box = world_bounds(solid.shape(), moved ? *moved : identity);
   check_range(box, solid.shape().bounds.is_finite(), solid.place());
   leaf.first = static_cast<std::uint32_t>(tables_.half_spaces.size());
+  leaf.function = function_of(solid.shape());
   const bool has_inside = add_half_spaces(solid, placement, leaf, box);
   if (!has_inside || box.is_null()) {
     tables_.half_spaces.resize(leaf.first);
@@ -51,24 +53,40 @@ std::optional<Box> LeafBuilder::add(const Solid& solid, const Placement& placeme
   return box;
 }
 
-// False if two of the half-spaces are the two sides of one surface: then the leaf has no inside.
+// Copies of a solid share their function. Null: the leaf is the intersection of its half-spaces.
+const LeafFunction* LeafBuilder::function_of(const LeafShape& shape) {
+  if (shape.inside == nullptr) return nullptr;
+  const auto [it, is_new] = functions_.try_emplace(shape.inside.get(), nullptr);
+  if (is_new) it->second = tables_.functions.emplace_back(std::make_shared<FormulaFunction>(shape.inside)).get();
+  return it->second;
+}
+
+// False if the leaf is an intersection that has the surface's other side already: then it has no inside. A truth
+// function keeps every half-space in its place.
+bool LeafBuilder::add_half_space(const HalfSpace& half_space, const Leaf& leaf) {
+  const auto begin = tables_.half_spaces.begin() + static_cast<std::ptrdiff_t>(leaf.first);
+  const auto same = std::find_if(begin, tables_.half_spaces.end(),
+                                 [&](const HalfSpace& other) { return other.surface == half_space.surface; });
+  if (leaf.function == nullptr && same != tables_.half_spaces.end()) return same->sense == half_space.sense;
+  tables_.half_spaces.push_back(half_space);
+  return true;
+}
+
+// False if the leaf has no inside.
 bool LeafBuilder::add_half_spaces(const Solid& solid, const Placement& placement, Leaf& leaf, const Box& box) {
   const LeafShape& shape = solid.shape();
   std::optional<FormMover> mover;
   if (placement.world_from_solid) mover.emplace(*placement.world_from_solid);
   const std::uint32_t source = origins_ ? origins_->provenance.add_leaf(solid, placement.chain, box) : 0;
-  const auto begin = static_cast<std::ptrdiff_t>(leaf.first);
   for (std::uint32_t i = 0; i < shape.forms.size(); ++i) {
     const QuadricForm form = shape.forms[i];
     const HalfSpace half_space = surfaces_.half_space(mover ? mover->moved(form) : form, box);
     if (origins_) origins_->ownerships.push_back({half_space.surface, {source, i}});
-    const auto same = std::find_if(tables_.half_spaces.begin() + begin, tables_.half_spaces.end(),
-                                   [&](const HalfSpace& other) { return other.surface == half_space.surface; });
-    if (same == tables_.half_spaces.end()) {
-      tables_.half_spaces.push_back(half_space);
-    } else if (same->sense != half_space.sense) {
-      return false;
-    }
+    if (!add_half_space(half_space, leaf)) return false;
+  }
+  for (const std::shared_ptr<const OtherForm>& form : shape.others) {
+    const auto moved = placement.world_from_solid ? form->moved(*placement.world_from_solid) : form;
+    if (!add_half_space(surfaces_.half_space(*moved, box), leaf)) return false;
   }
   leaf.count = static_cast<std::uint32_t>(tables_.half_spaces.size()) - leaf.first;
   return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -8,8 +9,8 @@
 #include "csg/solid/solid.h"
 #include "raycast/scene/detail/surface_table.h"
 #include "raycast/scene/detail/surface_welding.h"
-#include "raycast/scene/detail/weld/provenance.h"
 #include "raycast/scene/scene.h"
+#include "raycast/weld/provenance.h"
 
 namespace csgcast::detail {
 
@@ -34,10 +35,13 @@ class LeafBuilder {
 
  private:
   bool add_half_spaces(const Solid& solid, const Placement& placement, Leaf& leaf, const Box& box);
+  bool add_half_space(const HalfSpace& half_space, const Leaf& leaf);
+  const LeafFunction* function_of(const LeafShape& shape);
 
   SceneTables& tables_;
   SurfaceTable& surfaces_;
   SurfaceOrigins* origins_;
+  std::map<const TruthFormula*, const LeafFunction*> functions_;  // those made so far
 };
 
 }  // namespace csgcast::detail

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "csg/exact/packed_form.h"
-#include "raycast/scene/detail/hash_index.h"
-#include "raycast/scene/detail/weld/welder.h"
 #include "raycast/scene/scene.h"
-#include "raycast/surface/surface.h"
+#include "raycast/surface/kinds.h"
+#include "raycast/weld/hash_index.h"
+#include "raycast/weld/welder.h"
 
 namespace csgcast::detail {
 
@@ -19,23 +21,34 @@ class SurfaceTable {
   /// The half-space f <= 0 of a leaf with these bounds. Its surface is added if it is not there. Precondition: f is not
   /// constant.
   HalfSpace half_space(const QuadricForm& f, const Box& leaf);
+  HalfSpace half_space(const OtherForm& f, const Box& leaf);
 
   std::size_t size() const { return entries_.size(); }
-  const PackedForm& form(SurfaceId id) const { return entries_[id.index()].form; }
+  /// Null if the surface is no plane and no quadric.
+  const PackedForm* form(SurfaceId id) const {
+    const Entry& entry = entries_[id.index()];
+    return entry.other == nullptr ? &entry.form : nullptr;
+  }
 
   /// Replaces surface i by replacements[i], for all i. That is surface i itself, or one that stays itself. The ids that
   /// are left close up, in the order of first appearance. Returns what the positive side of each old surface is now.
   std::vector<HalfSpace> merge(std::span<const Replacement> replacements);
 
   /// All surfaces, with their floating-point forms in a frame. The table is empty afterwards.
-  std::vector<Surface> take(const Frame& frame);
+  /// Precondition: one of the kinds takes each of the forms.
+  std::vector<Surface> take(const Frame& frame, SurfaceKinds kinds);
 
  private:
   struct Entry {
     PackedForm form;
+    std::shared_ptr<const OtherForm> other;  // in its place, of a surface that is no plane and no quadric; else null
     Point near;     // the middle of one leaf that owns the surface; NaN on an axis along which that leaf is unbounded
     bool is_local;  // all leaves that own the surface are bounded
   };
+
+  template <class Same>
+  SurfaceId find_or_add(std::uint64_t hash, Entry entry, Same&& same);
+
   std::vector<Entry> entries_;
   HashIndex by_form_;
 };

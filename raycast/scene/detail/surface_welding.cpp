@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "raycast/scene/detail/weld/welder.h"
+#include "raycast/weld/welder.h"
 
 namespace csgcast::detail {
 namespace {
@@ -40,6 +40,10 @@ void replace_surfaces(std::span<const HalfSpace> positive_side, SceneTables& tab
       HalfSpace half_space = *(begin + k);
       const auto [surface, side] = positive_side[half_space.surface.index()];
       half_space = {surface, side == Sense::positive ? half_space.sense : opposite(half_space.sense)};
+      if (leaf.function != nullptr) {  // it tells half-spaces by their places
+        *end++ = half_space;
+        continue;
+      }
       const auto same = std::find_if(begin, end, [&](const HalfSpace& other) { return other.surface == surface; });
       if (same == end) {
         *end++ = half_space;
@@ -61,12 +65,22 @@ WeldReport weld_surfaces(const Welding& welding, const Box& everything, SurfaceO
   WeldReport report;
   if (surfaces.size() == 0) return report;
   const SourcesBySurface sources(std::move(origins.ownerships), surfaces.size());
+  // Only planes and quadrics weld.
+  std::vector<std::uint32_t> numbers;
   std::vector<Welder::Candidate> candidates;
+  std::vector<Replacement> replacements;
   candidates.reserve(surfaces.size());
-  for (std::uint32_t i = 0; i < surfaces.size(); ++i)
-    candidates.push_back({&surfaces.form(SurfaceId(i)), sources.of(i)});
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+    replacements.push_back({i});
+    const PackedForm* form = surfaces.form(SurfaceId(i));
+    if (form == nullptr) continue;
+    numbers.push_back(i);
+    candidates.push_back({form, sources.of(i)});
+  }
   Welder welder(origins.provenance, welding, everything);
-  const std::vector<Replacement> replacements = welder.run(candidates, report);
+  const std::vector<Replacement> found = welder.run(candidates, report);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    replacements[numbers[k]] = {numbers[found[k].surface], found[k].flipped};
   if (report.surfaces > 0) replace_surfaces(surfaces.merge(replacements), tables);
   return report;
 }

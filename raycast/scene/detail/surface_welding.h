@@ -5,9 +5,9 @@
 
 #include "csg/base/box.h"
 #include "raycast/scene/detail/surface_table.h"
-#include "raycast/scene/detail/weld/provenance.h"
 #include "raycast/scene/scene.h"
-#include "raycast/scene/welding.h"
+#include "raycast/weld/provenance.h"
+#include "raycast/weld/welding.h"
 
 namespace csgcast::detail {
 

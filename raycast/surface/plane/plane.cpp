@@ -5,6 +5,7 @@
 #include "raycast/surface/detail/exact_line.h"
 #include "raycast/surface/detail/form_sign.h"
 #include "raycast/surface/detail/nearest_t.h"
+#include "raycast/surface/form_range.h"
 #include "raycast/surface/kind.h"
 
 namespace csgcast {
@@ -18,6 +19,7 @@ Vector plane_gradient(const Surface& surface, const Frame&, Point) {
 }  // namespace
 
 const SurfaceKind plane_kind{.name = "plane",
+                             .most_crossings = 1,
                              .takes = [](const QuadricForm& form) { return form.is_plane(); },
                              .in_double = detail::filtered_plane,
                              .in_twofold = detail::twofold_plane,
@@ -28,6 +30,8 @@ const SurfaceKind plane_kind{.name = "plane",
                              .nearest_t = detail::nearest_t,
                              .exact_nearest_t = detail::exact_nearest_t,
                              .sign_at = detail::form_sign_at,
+                             .sides_in = detail::sides_by_form,
+                             .has_lanes = true,
                              .gradient = plane_gradient};
 
 }  // namespace csgcast

@@ -8,6 +8,7 @@
 #include "raycast/surface/detail/exact_line.h"
 #include "raycast/surface/detail/form_sign.h"
 #include "raycast/surface/detail/nearest_t.h"
+#include "raycast/surface/form_range.h"
 #include "raycast/surface/kind.h"
 
 namespace csgcast {
@@ -28,6 +29,7 @@ Vector quadric_gradient(const Surface& surface, const Frame& frame, Point p) {
 }  // namespace
 
 const SurfaceKind quadric_kind{.name = "quadric",
+                               .most_crossings = 2,
                                .takes = [](const QuadricForm& form) { return !form.is_plane(); },
                                .in_double = detail::filtered_quadric,
                                .in_twofold = detail::twofold_quadric,
@@ -38,6 +40,8 @@ const SurfaceKind quadric_kind{.name = "quadric",
                                .nearest_t = detail::nearest_t,
                                .exact_nearest_t = detail::exact_nearest_t,
                                .sign_at = detail::form_sign_at,
+                               .sides_in = detail::sides_by_form,
+                               .has_lanes = true,
                                .gradient = quadric_gradient};
 
 }  // namespace csgcast

@@ -175,6 +175,27 @@ std::optional<Node> planes_of(const FormList& forms) {
   return node;
 }
 
+/// Unions and intersections of half-spaces. None of an intersection of nothing: there is no such statement.
+std::optional<Node> truth_formula_of(const LeafShape& shape) {
+  const TruthFormula& terms = *shape.inside;
+  std::vector<Node> nodes(terms.size());
+  for (std::size_t i = terms.size(); i-- > 0;) {  // operands come after their operators
+    const TruthTerm& term = terms[i];
+    if (term.op == TruthTerm::Op::condition) {
+      const QuadricForm form = shape.forms[term.condition];
+      std::optional<Node> side = quadric_or_plane(term.is_contrary ? -form : form);
+      if (!side) return std::nullopt;
+      nodes[i] = std::move(*side);
+      continue;
+    }
+    if (term.op == TruthTerm::Op::intersect && term.size == 1) return std::nullopt;
+    nodes[i] = statement(term.op == TruthTerm::Op::unite ? "union" : "intersection");
+    nodes[i].has_block = true;
+    for (std::size_t k = i + 1; k < i + term.size; k += terms[k].size) nodes[i].children.push_back(std::move(nodes[k]));
+  }
+  return std::move(nodes.front());
+}
+
 }  // namespace
 
 Value number_value(double number) { return {number}; }
@@ -192,6 +213,8 @@ void add_argument(Node& node, std::string name, Value value) {
 }
 
 std::optional<Node> leaf_statement(const LeafShape& shape) {
+  if (!shape.others.empty()) return std::nullopt;
+  if (shape.inside != nullptr) return truth_formula_of(shape);
   Candidate primitive = primitive_of(shape);
   if (makes(primitive, shape)) return std::move(primitive.node);
   if (!shape.vertices.empty()) return hull_of(shape.vertices);

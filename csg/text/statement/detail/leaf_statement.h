@@ -15,7 +15,7 @@ Value list_value(const Vector& v);
 Node statement(std::string name);
 void add_argument(Node& node, std::string name, Value value);
 
-/// The statement that makes a leaf with exactly these forms; none if there is none in doubles.
+/// The statement that makes a leaf with exactly these forms, or the same set; none if there is none in doubles.
 std::optional<Node> leaf_statement(const LeafShape& shape);
 
 }  // namespace csgcast::text

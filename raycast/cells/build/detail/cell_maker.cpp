@@ -47,7 +47,7 @@ double CellMaker::add(const CellContent& content, const CellBox& box) {
     if (!has_table) add_steps(formula, cell);
   }
   tree_.add_cell(cell);
-  return cost_of_cell(surfaces_.size());
+  return cost_of_cell(ground_.burden(surfaces_));
 }
 
 // Gives the cell its table, and drops the surfaces that do not matter. False if too many surfaces do for a table.

@@ -22,7 +22,8 @@ std::span<const FaceOwners::Owner> FaceOwners::find(const Formula& formula, cons
       if (!look) look = face_look(ground_.scene.leaf(leaf), one_region, box);
       Owner& owner = owners_[place];
       const bool is_first = last_term_[place] == none;
-      owner.leaf = is_first ? leaf : LeafId();
+      if (is_first) owner.leaf = leaf;
+      if (owner.leaf != leaf) owner.leaf = LeafId();  // it is one that has several terms, if it is the same
       owner.look = is_first || owner.look == *look ? *look : LookId();
       last_term_[place] = at;
     }

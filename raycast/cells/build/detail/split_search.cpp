@@ -196,7 +196,7 @@ std::optional<Split> SplitSearch::by_trial(const Formula& formula, std::span<con
 double SplitSearch::trial_cost(const Formula& formula, const CellBox& box) {
   fold_.fold(formula, box, trial_);
   trial_surfaces_.gather(trial_);
-  return cost_of_cell(trial_surfaces_.size());
+  return cost_of_cell(ground_.burden(trial_surfaces_));
 }
 
 }  // namespace csgcast::detail

@@ -9,8 +9,8 @@
 #include "csg/exact/affine.h"
 #include "csg/solid/leaf_shape.h"
 #include "csg/solid/solid.h"
-#include "raycast/scene/detail/hash_index.h"
-#include "raycast/scene/detail/weld/coincidence.h"
+#include "raycast/weld/coincidence.h"
+#include "raycast/weld/hash_index.h"
 
 namespace csgcast::detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "raycast/scene/detail/weld/near_pairs.h"
+#include "raycast/weld/near_pairs.h"
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "csg/solid/leaf_shape.h"
-#include "raycast/scene/detail/weld/coincidence.h"
-#include "raycast/scene/detail/weld/grouping.h"
+#include "raycast/weld/coincidence.h"
+#include "raycast/weld/grouping.h"
 
 namespace csgcast::detail {
 

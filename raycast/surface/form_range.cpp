@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "raycast/cells/formula/form_range.h"
+#include "raycast/surface/form_range.h"
 
 #include <algorithm>
 #include <array>
@@ -109,6 +109,10 @@ Sides sides_of(const LocalForm& form, Vector half) {
 Sides sides_within(const CellForm& form, const CellBox& box) {
   CSGCAST_PRECONDITION(is_finite(box.lower) && is_finite(box.upper));
   return sides_of(local_form(form, box), 0.5 * (box.upper - box.lower));
+}
+
+Sides sides_by_form(const Surface& surface, const Frame& /*frame*/, const CellBox& box) {
+  return surface.in_range ? sides_within({surface.local, surface.center}, box) : Sides::both;
 }
 
 Sides sides_far_out(const CellForm& form, const CellBox& box) {

@@ -4,15 +4,13 @@
 #include <cstdint>
 
 #include "raycast/surface/cell_form.h"
+#include "raycast/surface/sides.h"
 
 namespace csgcast::detail {
 
 /// The share of the sum of the magnitudes of all terms of a form by which its value may be off. The rounding of a
 /// coefficient, that of turning it into the cells' axes and some twenty operations come to less than 2^-47.
 constexpr double form_tolerance = 0x1p-46;
-
-/// The sides of a surface that a box is seen to meet: `both` if that is not known.
-enum class Sides : std::uint8_t { negative, positive, both };
 
 /// The sides of a surface that a box may meet, by its form about the box's middle; `half` is half of the box's sides.
 /// The answer is `negative` or `positive` only if the form has that sign everywhere in the box by more than its slack.
@@ -23,6 +21,9 @@ Sides sides_of(const LocalForm& form, Vector half);
 Sides sides_far_out(const CellForm& form, const CellBox& box);
 /// The same for the points of a box itself, whose coordinates are exact. Precondition: the box is finite.
 Sides sides_within(const CellForm& form, const CellBox& box);
+
+/// The same for the points of a box in the frame's coordinates, by a surface's ten numbers: SurfaceKind::sides_in.
+Sides sides_by_form(const Surface& surface, const Frame& frame, const CellBox& box);
 
 /// The slack of a form about the middle of a box that also covers what the coordinates of places along rays, within
 /// |q| < 8, are off. Precondition: the box is finite.

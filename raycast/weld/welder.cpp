@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "raycast/scene/detail/weld/welder.h"
+#include "raycast/weld/welder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "raycast/scene/detail/weld/provenance.h"
+#include "raycast/weld/provenance.h"
 
 #include <algorithm>
 #include <bit>

@@ -4,11 +4,21 @@
 #include <compare>
 #include <limits>
 #include <utility>
+#include <vector>
 
+#include "raycast/line/crossing.h"
 #include "raycast/line/ray.h"
-#include "raycast/ray/hit.h"
 
 namespace csgcast {
+
+/// An interval of t in which the ray is inside the solid. The entry comes before the exit.
+struct Interval {
+  Crossing entry;
+  Crossing exit;
+};
+
+/// Sorted, disjoint, non-touching intervals.
+using IntervalList = std::vector<Interval>;
 
 /// The infinite ends of a line.
 constexpr Crossing line_start() { return {-std::numeric_limits<double>::infinity(), {}, 0}; }

@@ -8,10 +8,10 @@
 #include "csg/exact/packed_form.h"
 #include "csg/solid/leaf_shape.h"
 #include "raycast/line/crossing.h"
-#include "raycast/scene/detail/weld/near_faces.h"
-#include "raycast/scene/detail/weld/near_pairs.h"
-#include "raycast/scene/detail/weld/provenance.h"
-#include "raycast/scene/welding.h"
+#include "raycast/weld/near_faces.h"
+#include "raycast/weld/near_pairs.h"
+#include "raycast/weld/provenance.h"
+#include "raycast/weld/welding.h"
 
 namespace csgcast::detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "raycast/scene/detail/weld/near_faces.h"
+#include "raycast/weld/near_faces.h"
 
 #include <algorithm>
 #include <numeric>

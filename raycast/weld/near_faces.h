@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "raycast/scene/detail/weld/coincidence.h"
+#include "raycast/weld/coincidence.h"
 
 namespace csgcast::detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "raycast/scene/detail/weld/coincidence.h"
+#include "raycast/weld/coincidence.h"
 
 #include <algorithm>
 #include <cmath>

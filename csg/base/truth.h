@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace csgcast {
+
+/// False, true, or not known (Kleene's logic). In this order: the least of some values is true if all of them are, the
+/// greatest if one of them is.
+enum class Truth : std::uint8_t { no, unknown, yes };
+
+constexpr Truth truth(bool value) { return value ? Truth::yes : Truth::no; }
+constexpr Truth opposite(Truth value) { return value == Truth::unknown ? value : truth(value == Truth::no); }
+
+}  // namespace csgcast

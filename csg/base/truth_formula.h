@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "csg/base/truth.h"
+
+namespace csgcast {
+
+/// One entry of a truth formula: a condition or its contrary, or an operator, which its operands follow.
+struct TruthTerm {
+  enum class Op : std::uint8_t { unite, intersect, condition };
+
+  Op op = Op::condition;
+  bool is_contrary = false;     ///< a condition must not hold
+  std::uint32_t size = 1;       ///< the number of entries of the term: itself and its operands
+  std::uint32_t condition = 0;  ///< the number of a condition
+};
+
+/// A truth function of numbered conditions: one term, in prefix order. Negations stand at the conditions only. A union
+/// of nothing is false, an intersection of nothing true.
+using TruthFormula = std::vector<TruthTerm>;
+
+/// The condition of that number, or its contrary.
+TruthFormula condition(std::uint32_t number, bool holds = true);
+/// True where one of the operands is.
+TruthFormula either(std::span<const TruthFormula> operands);
+/// True where all of the operands are.
+TruthFormula both(std::span<const TruthFormula> operands);
+
+/// Whether the terms are one term with all its operands, over that many conditions.
+bool is_well_formed(std::span<const TruthTerm> terms, std::size_t conditions);
+
+/// The value of each term, by its place, given that of each condition by its number. `values` is overwritten.
+/// Precondition: the terms are well-formed.
+void evaluate(std::span<const TruthTerm> terms, std::span<const Truth> conditions, std::vector<Truth>& values);
+
+}  // namespace csgcast

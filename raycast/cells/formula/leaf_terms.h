@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "csg/base/truth_formula.h"
+#include "raycast/cells/formula/formula.h"
+
+namespace csgcast::detail {
+
+// A leaf that is no conjunction (LeafFunction) has several terms, each a conjunction, or one whose only entry is the
+// leaf's own literal: a number behind those of all surfaces, whose positive side is the leaf's inside.
+
+/// How many literals a scene has: its surfaces, and its leaves with a function.
+inline std::size_t literal_count(const Scene& scene) {
+  return scene.surfaces().size() + scene.function_leaves().size();
+}
+/// The literal of a leaf. Precondition: it has a function.
+SurfaceId literal_of(const Scene& scene, LeafId leaf);
+/// The leaf whose literal it is; not valid if it is a surface.
+inline LeafId leaf_of(const Scene& scene, SurfaceId literal) {
+  const std::size_t surfaces = scene.surfaces().size();
+  return literal.index() < surfaces ? LeafId() : scene.function_leaves()[literal.index() - surfaces];
+}
+
+/// Appends the terms of a leaf, conjunction or not.
+void append_leaf(const Scene& scene, LeafId leaf, std::vector<Term>& terms);
+/// Appends what a truth formula of a leaf's half-spaces comes to: operators over conjunctions. An operator without
+/// operands stands for a constant.
+void append_leaf_terms(const Scene& scene, LeafId leaf, std::span<const TruthTerm> formula, std::vector<Term>& terms);
+
+}  // namespace csgcast::detail

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "raycast/scene/scene.h"
+#include "raycast/surface/kinds.h"
+
+namespace csgcast::detail {
+
+/// csgcast::compile() with a table of kinds that surfaces may be of. Precondition: for each form of the solid it has a
+/// kind that takes it.
+Scene compile(Solid solid, const Welding& welding, SurfaceKinds kinds);
+
+}  // namespace csgcast::detail
