@@ -39,9 +39,9 @@ bool is_well_formed(std::span<const TruthTerm> terms, std::size_t conditions) {
 }
 
 // Operands come after their operators, so from the back they are known first.
-void evaluate(std::span<const TruthTerm> terms, std::span<const Truth> conditions, std::vector<Truth>& values) {
+void evaluate(std::span<const TruthTerm> terms, std::span<const Truth> conditions, std::span<Truth> values) {
   CSGCAST_PRECONDITION(is_well_formed(terms, conditions.size()));
-  values.resize(terms.size());
+  CSGCAST_PRECONDITION(values.size() == terms.size());
   for (std::size_t i = terms.size(); i-- > 0;) {
     const TruthTerm& term = terms[i];
     if (term.op == TruthTerm::Op::condition) {

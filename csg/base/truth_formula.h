@@ -34,8 +34,8 @@ TruthFormula both(std::span<const TruthFormula> operands);
 /// Whether the terms are one term with all its operands, over that many conditions.
 bool is_well_formed(std::span<const TruthTerm> terms, std::size_t conditions);
 
-/// The value of each term, by its place, given that of each condition by its number. `values` is overwritten.
-/// Precondition: the terms are well-formed.
-void evaluate(std::span<const TruthTerm> terms, std::span<const Truth> conditions, std::vector<Truth>& values);
+/// Writes the value of each term to its place, given that of each condition by its number. Preconditions: the terms are
+/// well-formed, and there are as many values.
+void evaluate(std::span<const TruthTerm> terms, std::span<const Truth> conditions, std::span<Truth> values);
 
 }  // namespace csgcast

@@ -13,7 +13,7 @@ namespace {
 const TruthFormula either_or = either(std::vector{both(std::vector{condition(0), condition(1, false)}), condition(2)});
 
 Truth value(const TruthFormula& formula, const std::vector<Truth>& conditions) {
-  std::vector<Truth> values;
+  std::vector<Truth> values(formula.size());
   evaluate(formula, conditions, values);
   return values.front();
 }

@@ -46,7 +46,7 @@ std::optional<bool> in_leaf(const LeafShape& shape, const Homogeneous& at) {
     holds.push_back(truth(sign < 0));
   }
   if (shape.inside == nullptr) return std::find(holds.begin(), holds.end(), Truth::no) == holds.end();
-  std::vector<Truth> values;
+  std::vector<Truth> values(shape.inside->size());
   evaluate(*shape.inside, holds, values);
   return values.front() == Truth::yes;
 }

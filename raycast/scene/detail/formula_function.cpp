@@ -2,6 +2,7 @@
 #include "raycast/scene/detail/formula_function.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "raycast/scene/half_space_runs.h"
@@ -16,12 +17,26 @@ Truth holds(const HalfSpace& half_space, LeafBox& box) {
   return truth((sides == Sides::positive) == (half_space.sense == Sense::positive));
 }
 
+// Room for some values, which takes no memory if they are few.
+class TruthBuffer {
+ public:
+  explicit TruthBuffer(std::size_t size) : size_(size) {
+    if (size > few_.size()) many_.resize(size);
+  }
+  std::span<Truth> span() { return many_.empty() ? std::span(few_).first(size_) : std::span(many_); }
+
+ private:
+  std::array<Truth, 128> few_;
+  std::vector<Truth> many_;
+  std::size_t size_;
+};
+
 }  // namespace
 
 Truth FormulaFunction::value(std::span<const Truth> holds) const {
-  std::vector<Truth> values;
-  evaluate(*formula_, holds, values);
-  return values.front();
+  TruthBuffer values(formula_->size());
+  evaluate(*formula_, holds, values.span());
+  return values.span().front();
 }
 
 // Operands come after their operators, so from the back their lists are known first. scratch[i] is the list of term i.
@@ -57,11 +72,12 @@ void FormulaFunction::intervals(std::span<const HalfSpace> half_spaces, LeafLine
 LeafFunction::Content FormulaFunction::in_box(std::span<const HalfSpace> half_spaces, LeafBox& box,
                                               TruthFormula& terms) const {
   const TruthFormula& all = *formula_;
-  std::vector<Truth> known(half_spaces.size());
-  std::transform(half_spaces.begin(), half_spaces.end(), known.begin(),
+  TruthBuffer known(half_spaces.size());
+  std::transform(half_spaces.begin(), half_spaces.end(), known.span().begin(),
                  [&box](const HalfSpace& half_space) { return holds(half_space, box); });
-  std::vector<Truth> values;
-  evaluate(all, known, values);
+  TruthBuffer buffer(all.size());
+  const std::span<Truth> values = buffer.span();
+  evaluate(all, known.span(), values);
   if (values.front() != Truth::unknown) return values.front() == Truth::yes ? Content::full : Content::empty;
   terms.clear();
   std::vector<std::size_t> open;  // operators around a term, by their places in the result
