@@ -37,11 +37,11 @@ FoldedTerm BoxFold::folded(LeafId id) {
   const Leaf& leaf = ground_.scene.leaf(id);
   switch (leaf.function->in_box(ground_.scene.half_spaces(leaf), *this, leaf_terms_)) {
     case LeafFunction::Content::empty:
-      return Truth::no;
+      return {Truth::no};
     case LeafFunction::Content::full:
-      return Truth::yes;
+      return {Truth::yes};
     case LeafFunction::Content::open:
-      return Truth::unknown;
+      return {Truth::unknown};
     case LeafFunction::Content::terms:
       break;
   }
@@ -49,25 +49,29 @@ FoldedTerm BoxFold::folded(LeafId id) {
   append_leaf_terms(ground_.scene, id, leaf_terms_, leaf_whole_.terms);
   leaf_folder_.fold(
       leaf_whole_, leaf_folded_, [](const Term&) { return Truth::unknown; },
-      [&](const Term& term) { return FoldedTerm(known_of(term.surface(), term.wants_positive())); });
-  if (leaf_folded_.is_constant()) return truth(leaf_folded_.value);
+      [&](const Term& term) { return known_of(term.surface(), term.wants_positive()); });
+  if (leaf_folded_.is_constant()) return {truth(leaf_folded_.value)};
   return {Truth::unknown, leaf_folded_.terms};
 }
 
 FoldedTerm BoxFold::folded(const Term& half_space) {
   const LeafId leaf = leaf_of(ground_.scene, half_space.surface());
-  return leaf.valid() ? folded(leaf) : known_of(half_space.surface(), half_space.wants_positive());
+  if (leaf.valid()) return folded(leaf);
+  return {known_of(half_space.surface(), half_space.wants_positive())};
 }
 
 void BoxFold::fold(const Formula& from, const CellBox& box, Formula& result) {
   enter(box);
-  folder_.fold(
-      from, result,
-      [&](const Term& leaf) {
-        // A leaf that lacks half-spaces goes on beyond its box.
-        return !leaf.is_wider && apart(ground_.leaf_boxes[leaf.what], box_) ? Truth::no : Truth::unknown;
-      },
-      [&](const Term& term) { return folded(term); });
+  const auto known_of_leaf = [&](const Term& leaf) {
+    // A leaf that lacks half-spaces goes on beyond its box.
+    return !leaf.is_wider && apart(ground_.leaf_boxes[leaf.what], box_) ? Truth::no : Truth::unknown;
+  };
+  if (ground_.scene.function_leaves().empty()) {
+    folder_.fold(from, result, known_of_leaf,
+                 [&](const Term& term) { return known_of(term.surface(), term.wants_positive()); });
+  } else {
+    folder_.fold(from, result, known_of_leaf, [&](const Term& term) { return folded(term); });
+  }
 }
 
 }  // namespace csgcast::detail

@@ -48,21 +48,20 @@ LookId CellGround::look_of(const Leaf& leaf, bool one_region) const {
 
 Sides CellGround::sides_for_rays(SurfaceId id, const CellBox& b) const {
   const std::size_t surface = id.index();
-  const SurfaceKind& kind = *scene.surface(id).kind;
-  if (!kind.has_lanes) return is_finite(b.lower) && is_finite(b.upper) ? sides_by_kind(id, b) : Sides::both;
-  if (surfaces[surface].kind == LaneSurface::Kind::undecided) return Sides::both;
+  if (surfaces[surface].kind == LaneSurface::Kind::undecided)
+    return is_finite(b.lower) && is_finite(b.upper) ? sides_by_kind(id, b) : Sides::both;
   const Vector half = 0.5 * (b.upper - b.lower);
   return is_finite(half) ? sides_of(form_in(surface, b), half) : sides_far_out(forms[surface], b);
 }
 
 Sides CellGround::sides_of_points(SurfaceId id, const CellBox& b) const {
-  if (!scene.surface(id).kind->has_lanes) return sides_by_kind(id, b);
-  return scene.surface(id).in_range ? sides_within(forms[id.index()], b) : Sides::both;
+  return scene.surface(id).in_range ? sides_within(forms[id.index()], b) : sides_by_kind(id, b);
 }
 
+// Of a surface whose ten numbers decide nothing, or that has none: what its kind may know all the same.
 Sides CellGround::sides_by_kind(SurfaceId id, const CellBox& b) const {
   const Surface& surface = scene.surface(id);
-  return surface.kind->sides_in(surface, scene.frame(), frame_box_of(b));
+  return surface.kind->has_lanes ? Sides::both : surface.kind->sides_in(surface, scene.frame(), frame_box_of(b));
 }
 
 CellBox CellGround::frame_box_of(CellBox b) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -56,9 +57,6 @@ struct FoldedTerm {
   Truth value;
   /// The terms that stand for it, and for the leaf that it is all of, if the value is unknown. None: it stays.
   std::span<const Term> instead{};
-
-  FoldedTerm(Truth known) : value(known) {}  // NOLINT(google-explicit-constructor): most are no more than that
-  FoldedTerm(Truth known, std::span<const Term> terms) : value(known), instead(terms) {}
 };
 
 /// Rewrites a formula, given what is known of its leaves and half-spaces: the result is equivalent in every state of
@@ -66,8 +64,8 @@ struct FoldedTerm {
 /// Keeps its memory.
 class Folder {
  public:
-  /// `leaf(term)` tells a Truth, `half_space(term)` a FoldedTerm. Unless a leaf is known to hold nothing, its
-  /// half-spaces are asked for. Precondition: `from` and `result` are two formulas.
+  /// `leaf(term)` tells a Truth, `half_space(term)` a Truth or a FoldedTerm. Unless a leaf is known to hold nothing,
+  /// its half-spaces are asked for. Precondition: `from` and `result` are two formulas.
   template <class LeafKnown, class HalfSpaceKnown>
   void fold(const Formula& from, Formula& result, LeafKnown&& leaf, HalfSpaceKnown&& half_space) {
     begin(from, result);
@@ -81,8 +79,12 @@ class Folder {
         // The term is a half-space, or a leaf of one.
         const std::span<const Term> whole(&term, term.size);
         at_ += term.size;
-        const FoldedTerm folded = half_space(whole.back());
-        deliver(folded.value, folded.instead.empty() ? whole : folded.instead);
+        if constexpr (std::is_same_v<decltype(half_space(term)), Truth>) {
+          deliver(half_space(whole.back()), whole);
+        } else {
+          const FoldedTerm folded = half_space(whole.back());
+          deliver(folded.value, folded.instead.empty() ? whole : folded.instead);
+        }
       } else {
         open(term);
       }
