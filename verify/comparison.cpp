@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "csg/base/add_members.h"
+
 namespace csgcast::verify {
 namespace {
 
@@ -78,12 +80,8 @@ std::optional<Hit> first_of(const IntervalList& list) {
 }  // namespace
 
 Tally& Tally::operator+=(const Tally& other) {
-  rays += other.rays;
-  intervals += other.intervals;
-  flagged += other.flagged;
-  exact_decisions += other.exact_decisions;
-  wrong += other.wrong;
-  return *this;
+  return add_members<&Tally::rays, &Tally::intervals, &Tally::flagged, &Tally::exact_decisions, &Tally::wrong>(*this,
+                                                                                                               other);
 }
 
 std::string_view name(Question question) {

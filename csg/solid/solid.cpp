@@ -71,7 +71,8 @@ Solid Solid::make(Kind kind, std::vector<Solid> children, Payload payload) {
 }
 
 template <class Payload>
-const Payload& Solid::payload() const {
+const Payload& Solid::payload(Kind of) const {
+  CSGCAST_PRECONDITION(kind() == of);
   return static_cast<const NodeWith<Payload>&>(*node_).payload;
 }
 
@@ -85,22 +86,10 @@ Solid Solid::leaf(LeafShape shape) {
 
 Solid::Kind Solid::kind() const { return node_->kind; }
 std::span<const Solid> Solid::children() const { return node_->children; }
-const LeafShape& Solid::shape() const {
-  CSGCAST_PRECONDITION(kind() == Kind::leaf);
-  return payload<LeafShape>();
-}
-const Transform& Solid::transform() const {
-  CSGCAST_PRECONDITION(kind() == Kind::transform);
-  return payload<Transform>();
-}
-const PartName& Solid::part() const {
-  CSGCAST_PRECONDITION(kind() == Kind::part);
-  return payload<PartName>();
-}
-const LookStatement& Solid::look() const {
-  CSGCAST_PRECONDITION(kind() == Kind::look);
-  return payload<LookStatement>();
-}
+const LeafShape& Solid::shape() const { return payload<LeafShape>(Kind::leaf); }
+const Transform& Solid::transform() const { return payload<Transform>(Kind::transform); }
+const PartName& Solid::part() const { return payload<PartName>(Kind::part); }
+const LookStatement& Solid::look() const { return payload<LookStatement>(Kind::look); }
 const Place& Solid::place() const { return node_->place; }
 const void* Solid::identity() const { return &*node_; }
 std::uint64_t Solid::leaf_count() const { return node_->leaf_count; }

@@ -96,7 +96,7 @@ class Solid {
   template <class Payload>
   static Solid make(Kind kind, std::vector<Solid> children, Payload payload);
   template <class Payload>
-  const Payload& payload() const;
+  const Payload& payload(Kind of) const;
   Solid copy() const;
 
   Shared<Node> node_;

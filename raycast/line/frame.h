@@ -8,7 +8,7 @@ namespace csgcast {
 
 /// The coordinates in which floating point works: q = (p - center) 2^-exponent.
 ///
-/// Every bounded leaf of the scene lies within |q| <= 1 on each axis. So error bounds do not depend on the scene's
+/// Every bounded leaf of the scene lies within |q| < 1/2 on each axis. So error bounds do not depend on the scene's
 /// place or unit, and nothing over- or underflows.
 struct Frame {
   Point center;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "csg/base/add_members.h"
 #include "csg/base/error.h"
 #include "csg/base/precondition.h"
 #include "raycast/cells/cells_data.h"
@@ -91,13 +92,8 @@ void set_face(const FacePointers& faces, std::size_t i, const Attribution& face)
 }  // namespace
 
 PacketCounts& PacketCounts::operator+=(const PacketCounts& other) {
-  rays += other.rays;
-  packets += other.packets;
-  nodes += other.nodes;
-  cells += other.cells;
-  surface_tests += other.surface_tests;
-  flagged += other.flagged;
-  return *this;
+  return add_members<&PacketCounts::rays, &PacketCounts::packets, &PacketCounts::nodes, &PacketCounts::cells,
+                     &PacketCounts::surface_tests, &PacketCounts::flagged>(*this, other);
 }
 
 struct PacketCaster::State {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/ray/caster.h"
 
+#include "csg/base/add_members.h"
 #include "raycast/ray/detail/attributor.h"
 #include "raycast/ray/detail/evaluator.h"
 #include "raycast/ray/detail/line_cache.h"
@@ -11,14 +12,9 @@
 namespace csgcast {
 
 CasterCounts& CasterCounts::operator+=(const CasterCounts& other) {
-  rays += other.rays;
-  surface_tests += other.surface_tests;
-  box_tests += other.box_tests;
-  leaf_tests += other.leaf_tests;
-  twofold_calls += other.twofold_calls;
-  exact_calls += other.exact_calls;
-  rays_flagged += other.rays_flagged;
-  return *this;
+  return add_members<&CasterCounts::rays, &CasterCounts::surface_tests, &CasterCounts::box_tests,
+                     &CasterCounts::leaf_tests, &CasterCounts::twofold_calls, &CasterCounts::exact_calls,
+                     &CasterCounts::rays_flagged>(*this, other);
 }
 
 // The parts of a caster. Each keeps its memory between queries.

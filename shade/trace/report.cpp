@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "shade/trace/report.h"
 
+#include "csg/base/add_members.h"
+
 namespace csgcast {
 
 RenderReport& RenderReport::operator+=(const RenderReport& other) {
-  rays.primary += other.rays.primary;
-  rays.shadow += other.rays.shadow;
-  rays.reflection += other.rays.reflection;
-  rays.transmission += other.rays.transmission;
-  skipped.primary_beyond_bounds += other.skipped.primary_beyond_bounds;
-  skipped.primary_like_neighbours += other.skipped.primary_like_neighbours;
-  skipped.shadow_facing_away += other.skipped.shadow_facing_away;
-  skipped.shadow_without_effect += other.skipped.shadow_without_effect;
-  skipped.shadow_leading_away += other.skipped.shadow_leading_away;
-  skipped.reflection_leading_away += other.skipped.reflection_leading_away;
-  skipped.transmission_leading_away += other.skipped.transmission_leading_away;
-  skipped.reflection_below_cutoff += other.skipped.reflection_below_cutoff;
-  skipped.transmission_below_cutoff += other.skipped.transmission_below_cutoff;
-  skipped.depth_limit += other.skipped.depth_limit;
-  refined_pixels += other.refined_pixels;
-  total_reflections += other.total_reflections;
-  casts += other.casts;
-  packets += other.packets;
-  cells_seconds += other.cells_seconds;
-  seconds += other.seconds;
-  cpu_seconds += other.cpu_seconds;
-  return *this;
+  add_members<&RayCounts::primary, &RayCounts::shadow, &RayCounts::reflection, &RayCounts::transmission>(rays,
+                                                                                                         other.rays);
+  add_members<&SkipCounts::primary_beyond_bounds, &SkipCounts::primary_like_neighbours, &SkipCounts::shadow_facing_away,
+              &SkipCounts::shadow_without_effect, &SkipCounts::shadow_leading_away,
+              &SkipCounts::reflection_leading_away, &SkipCounts::transmission_leading_away,
+              &SkipCounts::reflection_below_cutoff, &SkipCounts::transmission_below_cutoff, &SkipCounts::depth_limit>(
+      skipped, other.skipped);
+  return add_members<&RenderReport::refined_pixels, &RenderReport::total_reflections, &RenderReport::casts,
+                     &RenderReport::packets, &RenderReport::cells_seconds, &RenderReport::seconds,
+                     &RenderReport::cpu_seconds>(*this, other);
 }
 
 }  // namespace csgcast

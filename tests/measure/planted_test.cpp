@@ -48,7 +48,7 @@ TEST_CASE("Leaves that tell more in smaller boxes are measured all the same") {
   options.relative_error = 0.02;
   options.most_pieces = 40000;
   for (const bool tells_terms : {false, true}) {
-    const Scene reluctant = test::with_reluctant_leaves(l, 0.3, tells_terms);
+    const Scene reluctant = test::with_reluctant_leaves(l, 1.2, tells_terms);
     const Measures m = measure(reluctant, reluctant.root(), 1, options);
     CHECK(m.is_as_asked == tells_terms);  // or the part beside the faces stays open, and with it the area
     CHECK(holds(m.volume, 3 - M_PI / 6));
@@ -85,7 +85,7 @@ TEST_CASE("Sections of planted solids have the areas of the same sets of boxes")
     const Section found = section(compiled(both), plane, coarse);
     CHECK(std::fabs(found.area.value - exact.area.value) <= found.area.error + exact.area.error);
     CHECK(found.area.error < 0.2 * found.area.value);
-    const Section of_reluctant = section(test::with_reluctant_leaves(compiled(both), 0.3, true), plane, coarse);
+    const Section of_reluctant = section(test::with_reluctant_leaves(compiled(both), 1.2, true), plane, coarse);
     CHECK(std::fabs(of_reluctant.area.value - exact.area.value) <= of_reluctant.area.error + exact.area.error);
   }
 }

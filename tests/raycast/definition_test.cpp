@@ -6,27 +6,10 @@
 #include "tests/support/random_solid.h"
 
 using namespace csgcast;
+using test::grid_ray;
 using test::RandomSolids;
 
 namespace {
-
-void check_end(Caster& caster, const Crossing& end, Passage passage, const test::DefinedEnd& defined) {
-  CHECK(end.surface == defined.surface);
-  if (!end.surface.valid()) return;
-  // A few roundings of numbers up to about 8, and of t itself where a face is met at a flat angle.
-  CHECK(end.t == Approx(defined.t.get_d()).epsilon(1e-12).margin(64 * 8 * 0x1p-53 / 0.25));
-  CHECK(caster.attribute({end, passage}).leaf == defined.leaf);
-}
-
-// Rays along the grid, through its points, edges and faces, and a few that miss all of them.
-Ray grid_ray(RandomSolids& random) {
-  for (;;) {
-    const Point origin{random.quarter(-2, 2), random.quarter(-2, 2), random.quarter(-2, 2)};
-    const Vector direction{random.quarter(-1, 1), random.quarter(-1, 1), random.quarter(-1, 1)};
-    if (random.index(8) == 0) return Ray(random.point(2), random.direction());
-    if (direction != Vector{}) return Ray(origin, direction);
-  }
-}
 
 void compare(RandomSolids& random, const Solid& solid, int rays) {
   const Scene scene = compile(solid);
@@ -37,11 +20,7 @@ void compare(RandomSolids& random, const Solid& solid, int rays) {
     const auto defined = test::intervals_by_definition(scene, ray);
     caster.begin(ray);
     caster.intervals(list, Span::line());
-    REQUIRE(list.size() == defined.size());
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      check_end(caster, list[k].entry, Passage::entry, defined[k].entry);
-      check_end(caster, list[k].exit, Passage::exit, defined[k].exit);
-    }
+    test::check_list(caster, list, defined);
   }
 }
 

@@ -22,6 +22,7 @@ using test::check_lists;
 using test::cut_cube;
 using test::cut_cube_of_boxes;
 using test::DepartingRays;
+using test::grid_ray;
 using test::l_prism;
 using test::l_prism_of_boxes;
 using test::RandomSolids;
@@ -56,22 +57,6 @@ Solid planted_leaf(RandomSolids& random) {
   }
 }
 
-Ray grid_ray(RandomSolids& random) {
-  for (;;) {
-    const Point origin{random.quarter(-2, 2), random.quarter(-2, 2), random.quarter(-2, 2)};
-    const Vector direction{random.quarter(-1, 1), random.quarter(-1, 1), random.quarter(-1, 1)};
-    if (random.index(8) == 0) return Ray(random.point(2), random.direction());
-    if (direction != Vector{}) return Ray(origin, direction);
-  }
-}
-
-void check_end(Caster& caster, const Crossing& end, Passage passage, const test::DefinedEnd& defined) {
-  CHECK(end.surface == defined.surface);
-  if (!end.surface.valid()) return;
-  CHECK(end.t == Approx(defined.t.get_d()).epsilon(1e-12).margin(1e-13));
-  CHECK(caster.attribute({end, passage}).leaf == defined.leaf);
-}
-
 // The part of a list from the start of a ray on.
 std::vector<test::DefinedInterval> from_start(std::vector<test::DefinedInterval> list) {
   std::erase_if(list, [](const auto& interval) { return interval.exit.surface.valid() && interval.exit.t <= 0; });
@@ -86,11 +71,7 @@ void compare(Caster& caster, const Ray& ray, const std::optional<Departure>& dep
   caster.begin(ray, departure);
   IntervalList list;
   caster.intervals(list, departure ? Span{} : Span::line());
-  REQUIRE(list.size() == defined.size());
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    check_end(caster, list[k].entry, Passage::entry, defined[k].entry);
-    check_end(caster, list[k].exit, Passage::exit, defined[k].exit);
-  }
+  test::check_list(caster, list, defined);
 }
 
 // Both widths, every instruction set; `most_left`: so great a share of the rays may be left to the caster.
@@ -202,7 +183,7 @@ TEST_CASE("cells leave rays to the caster only where a surface without lanes may
   check_packets(cut, random, 0.9);
   const Scene l = compiled((l_prism(true) - sphere(0.5)) + transformed(sphere(0.4), translation({-1, 0, 0})));
   for (const bool tells_terms : {false, true}) {
-    const Scene reluctant = test::with_reluctant_leaves(l, 0.25, tells_terms);
+    const Scene reluctant = test::with_reluctant_leaves(l, 1, tells_terms);
     check_packets(reluctant, random, 0.9);
     // Elsewhere lanes decide: a view past the leaf leaves hardly any.
     const Cells cells(reluctant);

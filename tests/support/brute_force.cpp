@@ -7,6 +7,7 @@
 
 #include "csg/exact/dyadic.h"
 #include "csg/exact/quadric_form.h"
+#include "tests/support/catch.h"
 #include "tests/support/planted.h"
 
 namespace csgcast::test {
@@ -242,12 +243,37 @@ class Definition {
   std::map<mpq_class, std::vector<SurfaceId>> groups_;
 };
 
+void check_end(Caster& caster, const Crossing& end, Passage passage, const DefinedEnd& defined) {
+  CHECK(end.surface == defined.surface);
+  if (!end.surface.valid()) return;
+  // A few roundings of numbers up to about 8, and of t itself where a face is met at a flat angle.
+  CHECK(end.t == Approx(defined.t.get_d()).epsilon(1e-12).margin(64 * 8 * 0x1p-53 / 0.25));
+  CHECK(caster.attribute({end, passage}).leaf == defined.leaf);
+}
+
 }  // namespace
 
 std::vector<DefinedInterval> intervals_by_definition(const Scene& scene, const Ray& ray,
                                                      const DefinedLeaf& function_leaf,
                                                      const std::optional<Departure>& departure) {
   return Definition(scene, ray, function_leaf, departure).run();
+}
+
+void check_list(Caster& caster, const IntervalList& list, const std::vector<DefinedInterval>& defined) {
+  REQUIRE(list.size() == defined.size());
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    check_end(caster, list[k].entry, Passage::entry, defined[k].entry);
+    check_end(caster, list[k].exit, Passage::exit, defined[k].exit);
+  }
+}
+
+Ray grid_ray(RandomSolids& random) {
+  for (;;) {
+    const Point origin{random.quarter(-2, 2), random.quarter(-2, 2), random.quarter(-2, 2)};
+    const Vector direction{random.quarter(-1, 1), random.quarter(-1, 1), random.quarter(-1, 1)};
+    if (random.index(8) == 0) return Ray(random.point(2), random.direction());
+    if (direction != Vector{}) return Ray(origin, direction);
+  }
 }
 
 }  // namespace csgcast::test

@@ -10,6 +10,7 @@
 #include "raycast/line/ray.h"
 #include "raycast/ray/caster.h"
 #include "raycast/scene/scene.h"
+#include "tests/support/random_solid.h"
 
 namespace csgcast::test {
 
@@ -35,5 +36,11 @@ using DefinedLeaf = std::function<bool(const std::vector<bool>& holds)>;
 std::vector<DefinedInterval> intervals_by_definition(const Scene& scene, const Ray& ray,
                                                      const DefinedLeaf& function_leaf = {},
                                                      const std::optional<Departure>& departure = {});
+
+/// That a caster's list is this one, whose ends belong to these leaves.
+void check_list(Caster& caster, const IntervalList& list, const std::vector<DefinedInterval>& defined);
+
+/// Along the grid of quarters, through its points, edges and faces, and a few that miss all of them.
+Ray grid_ray(RandomSolids& random);
 
 }  // namespace csgcast::test

@@ -318,7 +318,7 @@ bool in_l_prism(const std::vector<bool>& holds) {
 
 LeafFunction::Content Reluctant::in_box(std::span<const HalfSpace> half_spaces, LeafBox& box,
                                         TruthFormula& terms) const {
-  const CellBox where = box.in_frame();
+  const Box where = box.in_scene();
   if (!(longest(where.upper - where.lower) <= largest_)) return Content::open;
   const Content content = inner_->in_box(half_spaces, box, terms);
   return content == Content::terms && !tells_terms_ ? Content::open : content;

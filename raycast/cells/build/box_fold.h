@@ -49,7 +49,7 @@ class BoxFold final : private LeafBox {
 
  private:
   Sides find_sides(SurfaceId id) const;
-  CellBox in_frame() const override { return ground_.frame_box_of(box_); }
+  Box in_scene() const override { return ground_.scene_box_of(box_); }
   FoldedTerm folded(const Term& half_space);
   FoldedTerm folded(LeafId leaf);
 

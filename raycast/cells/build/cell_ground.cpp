@@ -72,6 +72,19 @@ CellBox CellGround::frame_box_of(CellBox b) const {
   return axes ? axes->turned_back(b) : b;
 }
 
+Box CellGround::scene_box_of(const CellBox& b) const {
+  const CellBox straight = frame_box_of(b);
+  const Frame& frame = scene.frame();
+  Box result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double lower = frame.center[axis] + std::ldexp(straight.lower[axis], frame.exponent);
+    const double upper = frame.center[axis] + std::ldexp(straight.upper[axis], frame.exponent);
+    result.lower[axis] = std::nextafter(lower, -HUGE_VAL);
+    result.upper[axis] = std::nextafter(upper, HUGE_VAL);
+  }
+  return result;
+}
+
 std::size_t CellGround::burden(const SurfaceSet& set) const {
   const auto is_undecided = [&](SurfaceId id) { return surfaces[id.index()].kind == LaneSurface::Kind::undecided; };
   if (!leaves_some_to_caster_ || std::none_of(set.list().begin(), set.list().end(), is_undecided)) return set.size();

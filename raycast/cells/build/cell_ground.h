@@ -63,6 +63,8 @@ struct CellGround {
   CellBox tight_box_of(const Box& world) const;
   /// A box of the frame that holds a box of the cells.
   CellBox frame_box_of(CellBox b) const;
+  /// The same of the scene, rounded outward.
+  Box scene_box_of(const CellBox& b) const;
 
   /// What a cell that these cross costs, as a number of surfaces: more than a cell may have if rays are left to the
   /// caster there.

@@ -2,7 +2,6 @@
 #include "raycast/cells/formula/leaf_terms.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "csg/base/precondition.h"
 #include "raycast/scene/leaf_function.h"
@@ -13,10 +12,7 @@ namespace {
 // All of space.
 class Everywhere final : public LeafBox {
  public:
-  CellBox in_frame() const override {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    return {{-far, -far, -far}, {far, far, far}};
-  }
+  Box in_scene() const override { return Box::everything(); }
   Sides sides_of(SurfaceId /*id*/) override { return Sides::both; }
 };
 

@@ -26,7 +26,7 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// tau of the crossings of a quadric, as filtered_quadric gives them (line_filter.cpp). Precondition: that they are
+/// tau of the crossings of a quadric, as filtered_quadric gives them (quadric_line.cpp). Precondition: that they are
 /// certain, which they are where lanes were.
 template <class D>
 struct Crossings {

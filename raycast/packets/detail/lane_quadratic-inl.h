@@ -22,7 +22,7 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin; the operations of quadric_line.h,
+/// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin; the operations of quadric_line.cpp,
 /// but for sums with terms that are zero.
 template <class D>
 struct QuadraticLanes {
@@ -72,7 +72,7 @@ HWY_INLINE hn::Vec<D> far_sum(D d, hn::Vec<D> b, hn::Vec<D> root) {
   return hn::Neg(hn::Add(b, hn::Xor(root, flip)));
 }
 
-/// Any quadric, with running errors: line_filter.cpp in lanes.
+/// Any quadric, with running errors: quadric_line.cpp in lanes.
 template <class D>
 HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& quadric, hn::Mask<D> departing,
                                const Departures<D>* departures, std::size_t i, Events<D>& events) {

@@ -5,11 +5,7 @@
 #include <cstddef>
 
 #include "csg/exact/quadric_form.h"
-#include "raycast/surface/detail/exact_line.h"
-#include "raycast/surface/detail/form_sign.h"
-#include "raycast/surface/detail/nearest_t.h"
-#include "raycast/surface/form_range.h"
-#include "raycast/surface/kind.h"
+#include "raycast/surface/detail/ten_numbers.h"
 
 namespace csgcast {
 namespace {
@@ -28,20 +24,17 @@ Vector quadric_gradient(const Surface& surface, const Frame& frame, Point p) {
 
 }  // namespace
 
-const SurfaceKind quadric_kind{.name = "quadric",
-                               .most_crossings = 2,
-                               .takes = [](const QuadricForm& form) { return !form.is_plane(); },
-                               .in_double = detail::filtered_quadric,
-                               .in_twofold = detail::twofold_quadric,
-                               .exactly = detail::exact_crossings,
-                               .uncertified = detail::uncertified_quadric,
-                               .twofold_root = detail::twofold_quadric_root,
-                               .exact_root = detail::exact_root,
-                               .nearest_t = detail::nearest_t,
-                               .exact_nearest_t = detail::exact_nearest_t,
-                               .sign_at = detail::form_sign_at,
-                               .sides_in = detail::sides_by_form,
-                               .has_lanes = true,
-                               .gradient = quadric_gradient};
+constinit const SurfaceKind quadric_kind = [] {
+  SurfaceKind kind = detail::kind_of_ten_numbers();
+  kind.name = "quadric";
+  kind.most_crossings = 2;
+  kind.takes = [](const QuadricForm& form) { return !form.is_plane(); };
+  kind.in_double = detail::filtered_quadric;
+  kind.in_twofold = detail::twofold_quadric;
+  kind.uncertified = detail::uncertified_quadric;
+  kind.twofold_root = detail::twofold_quadric_root;
+  kind.gradient = quadric_gradient;
+  return kind;
+}();
 
 }  // namespace csgcast

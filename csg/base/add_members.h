@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace csgcast {
+
+/// Adds the named members of one object to those of another, which is returned.
+template <auto... Members, class Counts>
+constexpr Counts& add_members(Counts& to, const Counts& more) {
+  ((to.*Members += more.*Members), ...);
+  return to;
+}
+
+}  // namespace csgcast
