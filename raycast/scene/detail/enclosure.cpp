@@ -22,20 +22,35 @@ bool before(const HalfSpace& a, const HalfSpace& b) {
 
 CellForm form_of(const Surface& surface) { return {surface.local, surface.center}; }
 
-// True if a box lies within a plane's half-space for certain. It must be clear of the plane by far more than the
+// Tells whether a box lies within a plane's half-space for certain. It must be clear of the plane by far more than the
 // rounding of the numbers here and of the places where rays start.
-bool holds(const Scene& scene, const HalfSpace& half_space, const Box& box) {
-  constexpr double clearance = 0x1p-40;
-  const Surface& plane = scene.surface(half_space.surface);
-  if (!plane.is_plane || !plane.is_local || !plane.in_range || !box.is_finite()) return false;
-  const CellBox place = in_frame(box, scene.frame());
-  const LocalForm f = local_form(form_of(plane), place);
-  const Vector half = 0.5 * (place.upper - place.lower);
-  const double reach =
-      std::fabs(f.gradient.x) * half.x + std::fabs(f.gradient.y) * half.y + std::fabs(f.gradient.z) * half.z;
-  const double most = (half_space.sense == Sense::negative ? f.value : -f.value) + reach;
-  return most < -clearance * (plane.first_degree + plane.constant);
-}
+class HeldBox {
+ public:
+  HeldBox(const Scene& scene, const Box& box) : scene_(scene), is_finite_(box.is_finite()) {
+    const CellBox place = in_frame(box, scene.frame());
+    half_ = 0.5 * (place.upper - place.lower);
+    middle_ = 0.5 * (place.upper + place.lower);
+  }
+
+  bool is_held_by(const HalfSpace& half_space) const {
+    constexpr double clearance = 0x1p-40;
+    const Surface& plane = scene_.surface(half_space.surface);
+    if (!is_finite_ || !plane.is_plane || !plane.is_local || !plane.in_range) return false;
+    const auto& c = plane.local;
+    const Vector p = middle_ - plane.center;
+    const double value = c[Form::x] * p.x + c[Form::y] * p.y + c[Form::z] * p.z + c[Form::one];
+    const double reach =
+        std::fabs(c[Form::x]) * half_.x + std::fabs(c[Form::y]) * half_.y + std::fabs(c[Form::z]) * half_.z;
+    const double most = (half_space.sense == Sense::negative ? value : -value) + reach;
+    return most < -clearance * (plane.first_degree + plane.constant);
+  }
+
+ private:
+  const Scene& scene_;
+  bool is_finite_;
+  Vector middle_;
+  Vector half_;
+};
 
 // True if f is convex, and with it the closed set f <= 0. That is so exactly if the symmetric matrix of its second
 // degree has no negative principal minor; here twice that matrix is looked at. Exact.
@@ -151,12 +166,14 @@ class Enclosure {
                                 const Box& second_box) const {
     std::sort(second.begin(), second.end(), before);
     std::vector<HalfSpace> both;
+    const HeldBox held_first(scene_, first_box);
+    const HeldBox held_second(scene_, second_box);
     for (const HalfSpace& one : first) {
-      if (std::binary_search(second.begin(), second.end(), one, before) || holds(scene_, one, second_box))
+      if (std::binary_search(second.begin(), second.end(), one, before) || held_second.is_held_by(one))
         both.push_back(one);
     }
     for (const HalfSpace& one : second) {
-      if (holds(scene_, one, first_box)) both.push_back(one);
+      if (held_first.is_held_by(one)) both.push_back(one);
     }
     return both;
   }
