@@ -4,17 +4,14 @@
 #include <algorithm>
 
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 
 namespace {
 
 using namespace csgcast::test;
 
 // Two seconds for the program as users have it; sanitizers make it some ten times slower.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double seconds_allowed = 30;
-#else
-constexpr double seconds_allowed = 2;
-#endif
+constexpr double seconds_allowed = is_sanitized ? 30 : 2;
 
 /// Without the line that says that a scene is empty, if it follows another.
 std::string without_empty_scene(const std::string& said) {

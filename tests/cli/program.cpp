@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/cli/program.h"
+#include "tests/support/effort.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -20,7 +21,7 @@
 namespace csgcast::test {
 namespace {
 
-constexpr unsigned patience_seconds = 60;
+constexpr unsigned patience_seconds = is_sanitized ? 240 : 60;
 
 double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);

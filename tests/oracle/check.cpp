@@ -12,6 +12,7 @@
 #include "tests/oracle/exact_answer.h"
 #include "tests/oracle/nearest.h"
 #include "tests/oracle/queries.h"
+#include "tests/support/effort.h"
 
 namespace csgcast::oracle {
 namespace {
@@ -146,11 +147,7 @@ void Tally::complain(std::string text) {
   if (complaints.size() < 5) complaints.push_back(std::move(text));
 }
 
-Workload workload() {
-  const char* variable = std::getenv("CSGCAST_LONG");
-  const bool is_long = variable != nullptr && std::string_view(variable) == "1";
-  return is_long ? Workload{1'000'000, 100'000} : Workload{30'000, 3'000};
-}
+Workload workload() { return test::long_run() ? Workload{1'000'000, 100'000} : Workload{30'000, 3'000}; }
 
 Tally check_family(const ModelMaker& make, std::uint64_t seed, Workload work) {
   Tally tally;

@@ -9,7 +9,7 @@
 #include "raycast/ray/part_overlaps.h"
 #include "tests/support/at.h"
 #include "tests/support/catch.h"
-#include "tests/support/examples.h"
+#include "tests/support/effort.h"
 #include "tests/support/scene_rays.h"
 
 using namespace csgcast;
@@ -169,7 +169,7 @@ class Laws {
 }  // namespace
 
 TEST_CASE("parts that touch never overlap and leave no gap: rays through, in and along the edges of the shared face") {
-  const int rays = test::long_run() ? 100'000 : 3000;
+  const int rays = test::long_run() ? 100'000 : test::times(3000);
   for (const Neighbours& pair : neighbours()) {
     const Scene unmoved = compile(pair.first + pair.second);
     for (const Placement& placement : placements()) {

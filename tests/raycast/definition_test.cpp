@@ -3,6 +3,7 @@
 #include "raycast/ray/caster.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/random_solid.h"
 
 using namespace csgcast;
@@ -28,14 +29,14 @@ void compare(RandomSolids& random, const Solid& solid, int rays) {
 
 TEST_CASE("grid boxes: lists, bounding surfaces and leaves are those of the definition, ties included") {
   RandomSolids random(11);
-  for (int n = 0; n < 300; ++n) {
+  for (int n = 0; n < test::times(300); ++n) {
     compare(random, random.tree(2 + n % 9, [&] { return random.grid_box(); }), 40);
   }
 }
 
 TEST_CASE("corner-sharing polyhedra: the same") {
   RandomSolids random(12);
-  for (int n = 0; n < 200; ++n) {
+  for (int n = 0; n < test::times(200); ++n) {
     compare(random,
             random.tree(2 + n % 5,
                         [&] {
@@ -50,7 +51,7 @@ TEST_CASE("corner-sharing polyhedra: the same") {
 
 TEST_CASE("half-spaces and their complements: the same") {
   RandomSolids random(13);
-  for (int n = 0; n < 200; ++n) {
+  for (int n = 0; n < test::times(200); ++n) {
     compare(random,
             random.tree(2 + n % 6,
                         [&] {

@@ -9,6 +9,7 @@
 #include "raycast/ray/caster.h"
 #include "tests/support/at.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/examples.h"
 #include "tests/support/random_solid.h"
 
@@ -145,7 +146,7 @@ TEST_CASE("of a union those faces lead away that are flush with every part's or 
 TEST_CASE("rays that depart to a side that leads away meet nothing, however little they rise") {
   RandomSolids random(17);
   int sent = 0;
-  for (int n = 0; n < (test::long_run() ? 20000 : 1000); ++n) {
+  for (int n = 0; n < (test::long_run() ? 20000 : test::times(1000)); ++n) {
     const Solid solid = n % 3 == 0 ? random.tree(1 + n % 7, [&] { return random.grid_box(); }) : random.tree(1 + n % 5);
     sent += check_departures(solid, random, {}, 3, 12);
     // Small, and far from the origin.

@@ -16,6 +16,7 @@
 #include "tests/support/batches.h"
 #include "tests/support/catch.h"
 #include "tests/support/chain.h"
+#include "tests/support/effort.h"
 #include "tests/support/random_solid.h"
 
 using namespace csgcast;
@@ -221,7 +222,7 @@ TEST_CASE("a leaf that needs a face no longer is not taken to end there") {
 TEST_CASE("no cell of a chain of balls keeps more surfaces than a table takes") {
   RandomSolids random(11);
   std::size_t large = 0;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < test::times(30); ++round) {
     const std::vector<Link> links = chain(random, 61);
     large += Cells(compile(nested(links))).counts().large + Cells(compile(flat(links))).counts().large;
   }

@@ -14,6 +14,7 @@
 #include "tests/support/batches.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/planted.h"
 #include "tests/support/random_solid.h"
 
@@ -115,7 +116,7 @@ void check_same_set(const Scene& scene, const Scene& other, RandomSolids& random
 TEST_CASE(
     "planted leaves and surfaces among grid boxes: lists, bounding surfaces and leaves are those of the definition") {
   RandomSolids random(31);
-  for (int n = 0; n < 250; ++n) {
+  for (int n = 0; n < test::times(250); ++n) {
     const Scene scene = compiled(random.tree(1 + n % 6, [&] { return planted_leaf(random); }));
     Caster caster(scene);
     for (int i = 0; i < 40; ++i) compare(caster, grid_ray(random), {});
@@ -125,7 +126,7 @@ TEST_CASE(
 TEST_CASE("rays that depart from planted surfaces and leaves: the same") {
   RandomSolids random(32);
   int departures = 0;
-  for (int n = 0; n < 200; ++n) {
+  for (int n = 0; n < test::times(200); ++n) {
     const Scene scene = compiled(random.tree(1 + n % 4, [&] { return planted_leaf(random); }));
     Caster caster(scene);
     for (int i = 0; i < 20; ++i) {
@@ -139,7 +140,7 @@ TEST_CASE("rays that depart from planted surfaces and leaves: the same") {
       }
     }
   }
-  CHECK(departures > 2000);
+  CHECK(departures > test::times(2000));
 }
 
 TEST_CASE("points are inside planted solids as they are inside the same sets of boxes") {
@@ -199,7 +200,7 @@ TEST_CASE("cells leave rays to the caster only where a surface without lanes may
 
 TEST_CASE("planted leaves moved, welded, subtracted and cut are the same sets as trees of boxes") {
   RandomSolids random(36);
-  for (int n = 0; n < 20; ++n) {
+  for (int n = 0; n < test::times(20); ++n) {
     const Vector step = as_vector(random.point(1));
     const auto moved = [&](const Solid& solid) {
       return transformed(transformed(solid, rotation({37.0 * n, 11.0 * n, 5.0 * n})), translation(step));

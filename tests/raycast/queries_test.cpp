@@ -6,6 +6,7 @@
 #include "raycast/ray/caster.h"
 #include "tests/support/at.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 
 using namespace csgcast;
 using test::at;
@@ -221,7 +222,7 @@ TEST_CASE("boxes cull: a ray through a thousand balls in a row looks at few of a
 TEST_CASE("a million operators inside each other are compiled, asked and destroyed") {
   Solid solid = sphere(1);
   const Solid ball = sphere(0.5);
-  for (int i = 0; i < 500000; ++i) solid = (solid & at(box({4, 4, 4}), {-2, -2, -2})) + ball;
+  for (int i = 0; i < test::times(500000); ++i) solid = (solid & at(box({4, 4, 4}), {-2, -2, -2})) + ball;
   Scenery deep(solid);
   deep.caster.begin(Ray({-3, 0, 0}, {1, 0, 0}));
   CHECK(deep.caster.first_hit().value().crossing.t == Approx(2));

@@ -14,7 +14,7 @@
 #include "csg/solid/primitives.h"
 #include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
-#include "tests/support/examples.h"
+#include "tests/support/effort.h"
 #include "tests/support/random_solid.h"
 #include "tests/support/rounded_leaves.h"
 
@@ -206,7 +206,7 @@ bool is_seen(Caster& caster, const std::vector<Chord>& expected, const Transform
 }  // namespace
 
 TEST_CASE("a plate, a disc and a shell of 1e-13 are seen from every angle, and by the right faces") {
-  const int rays = test::long_run() ? 300'000 : 2000;
+  const int rays = test::long_run() ? 300'000 : test::times(2000);
   for (const Thin& shape : thin_solids()) {
     for (const Transform& placement : placements()) {
       const Scene scene = compile(transformed(shape.solid, placement));
@@ -228,7 +228,7 @@ TEST_CASE("a plate, a disc and a shell of 1e-13 are seen from every angle, and b
 }
 
 TEST_CASE("a ray past the silhouette of a shell of 1e-13 passes through its wall alone, its cavity, or neither") {
-  const int rays = test::long_run() ? 300'000 : 2000;
+  const int rays = test::long_run() ? 300'000 : test::times(2000);
   for (const Transform& placement : placements()) {
     const Scene scene = compile(transformed(sphere(1) - sphere(1 - thin), placement));
     Caster caster(scene);

@@ -10,6 +10,7 @@
 #include "csg/base/length.h"
 #include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/examples.h"
 #include "tests/support/rounded_leaves.h"
 #include "tests/support/scene_rays.h"
@@ -122,7 +123,7 @@ constexpr double most_left_out = 1e-3;
 }  // namespace
 
 TEST_CASE("a scene 2^k times as large gives the same lists, faces and places, every t exactly 2^k times as large") {
-  const int rays = test::long_run() ? 2000 : 300;
+  const int rays = test::long_run() ? 2000 : test::times(300);
   for (const std::string& name : test::example_names()) {
     const Solid solid = test::example(name).solid;
     const Scene scene = compile(solid);
@@ -147,7 +148,7 @@ TEST_CASE("a scene 2^k times as large gives the same lists, faces and places, ev
 }
 
 TEST_CASE("a scene 1/1000, 1,000 and 1,000,000 times as large gives lists of the same structure") {
-  const int rays = test::long_run() ? 100'000 : 1000;
+  const int rays = test::long_run() ? 100'000 : test::times(1000);
   for (const std::string& name : test::example_names()) {
     const Solid solid = test::example(name).solid;
     for (const Welding& welding : {Welding{}, Welding::derived()}) {
@@ -166,7 +167,7 @@ TEST_CASE("a scene 1/1000, 1,000 and 1,000,000 times as large gives lists of the
 }
 
 TEST_CASE("a scene whose leaves were scaled one by one, each with rounding, welds to lists of the same structure") {
-  const int rays = test::long_run() ? 100'000 : 1000;
+  const int rays = test::long_run() ? 100'000 : test::times(1000);
   for (const std::string name : {"flush", "sponge", "angel", "die", "flange"}) {
     const Solid solid = test::example(name).solid;
     const Scene scene = compile(solid, Welding::derived());

@@ -14,6 +14,7 @@
 #include "raycast/ray/caster.h"
 #include "tests/support/at.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/random_solid.h"
 #include "tests/support/rounded_leaves.h"
 
@@ -72,8 +73,7 @@ TEST_CASE("flush with one rounded transform a leaf, anywhere and any way up, wel
   const Solid solid = flush();
   const Box box{{0, 0, 0}, {6, 6, 1}};
   RandomSolids random(7);
-  const char* long_run = std::getenv("CSGCAST_LONG");
-  const int placements = long_run != nullptr ? 1000 : 40;
+  const int placements = test::long_run() ? 1000 : test::times(40);
   for (const double distance : {0.0, 1e4, 1e6}) {
     int wrong = 0, wrong_unwelded = 0, incomplete = 0;
     for (int trial = 0; trial < placements; ++trial) {
@@ -97,7 +97,7 @@ TEST_CASE("flush with one rounded transform a leaf, anywhere and any way up, wel
         wrong_unwelded += !same_structure(expected, list);
       }
     }
-    if (long_run != nullptr) {
+    if (test::long_run()) {
       WARN(fmt::format("{} placements of 200 rays at {}: {} lists wrong, {} without welding", placements, distance,
                        wrong, wrong_unwelded));
     }
@@ -291,7 +291,7 @@ TEST_CASE("a tolerance is relative to the solid also where it is made of half-sp
 
 TEST_CASE("thousands of surfaces that nearly coincide take neither long nor much") {
   std::vector<Solid> spheres;
-  for (int i = 0; i < 20'000; ++i) spheres.push_back(sphere(1 + i * 0x1p-52));
+  for (int i = 0; i < test::times(20'000); ++i) spheres.push_back(sphere(1 + i * 0x1p-52));
   const Scene scene = compile(unite(spheres), Welding::derived());
   CHECK(scene.surfaces().size() < 20'000);
   Welding by_hand = Welding::by_hand(1e-6);

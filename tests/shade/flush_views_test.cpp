@@ -11,6 +11,7 @@
 #include "shade/film/camera.h"
 #include "tests/shade/flush_truth.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/examples.h"
 #include "tests/support/random_solid.h"
 
@@ -111,7 +112,7 @@ TEST_CASE("from any view of flush every ray shows the faces that its geometry ha
   Comparison comparison;
   REQUIRE(comparison.scene().leaves().size() == 79);
   test::RandomSolids random(71);
-  const int views = test::long_run() ? 1000 : 40;
+  const int views = test::long_run() ? 1000 : test::times(40);
   int wrong = 0;
   for (int n = 0; n < views; ++n) {
     const Camera camera(view(random), side, side);

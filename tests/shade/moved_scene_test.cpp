@@ -8,6 +8,7 @@
 
 #include "shade/trace/render.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/examples.h"
 
 using namespace csgcast;

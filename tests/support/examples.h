@@ -2,10 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "csg/text/statement/builder.h"
@@ -25,12 +23,6 @@ inline std::vector<std::string> example_names() {
 /// examples/`name`.csg.
 inline SceneDescription example(const std::string& name) {
   return text::build(text::read_file(CSGCAST_SOURCE_DIR "/examples/" + name + ".csg"));
-}
-
-/// Whether CSGCAST_LONG=1 asks for the long run of a test.
-inline bool long_run() {
-  const char* variable = std::getenv("CSGCAST_LONG");
-  return variable != nullptr && std::string_view(variable) == "1";
 }
 
 }  // namespace csgcast::test

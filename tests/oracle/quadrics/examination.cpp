@@ -11,6 +11,7 @@
 #include "csg/base/length.h"
 #include "raycast/ray/caster.h"
 #include "tests/oracle/quadrics/judge.h"
+#include "tests/support/effort.h"
 
 namespace csgcast::oracle::quadrics {
 namespace {
@@ -177,10 +178,7 @@ void Tally::complain(std::string text) {
   if (complaints.size() < 5) complaints.push_back(std::move(text));
 }
 
-std::uint64_t rays_a_family() {
-  const char* variable = std::getenv("CSGCAST_LONG");
-  return variable != nullptr && std::string_view(variable) == "1" ? 20'000 : 400;
-}
+std::uint64_t rays_a_family() { return test::long_run() ? 20'000 : 400; }
 
 Tally check_family(const stress::Family& family, std::uint64_t rays) {
   Tally tally;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/stress/families.h"
 #include "tests/support/catch.h"
-#include "tests/support/examples.h"
+#include "tests/support/effort.h"
 #include "tests/support/mirrored.h"
 
 using namespace csgcast;

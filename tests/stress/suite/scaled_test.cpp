@@ -3,7 +3,7 @@
 
 #include "tests/stress/families.h"
 #include "tests/support/catch.h"
-#include "tests/support/examples.h"
+#include "tests/support/effort.h"
 #include "tests/support/twins.h"
 
 using namespace csgcast;

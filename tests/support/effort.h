@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdlib>
+#include <string_view>
+
+namespace csgcast::test {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool is_sanitized = true;  ///< everything takes some ten times as long
+#else
+constexpr bool is_sanitized = false;
+#endif
+
+/// How many times a test does the same: sanitizers look at what is done at all, so a part will do for them.
+constexpr int times(int plain) { return is_sanitized ? (plain + 7) / 8 : plain; }
+
+/// Whether CSGCAST_LONG=1 asks for the long run of a test.
+inline bool long_run() {
+  const char* variable = std::getenv("CSGCAST_LONG");
+  return variable != nullptr && std::string_view(variable) == "1";
+}
+
+}  // namespace csgcast::test
