@@ -9,6 +9,7 @@
 #include "csg/solid/primitives.h"
 #include "raycast/ray/caster.h"
 #include "tests/support/catch.h"
+#include "tests/support/effort.h"
 #include "tests/support/random_solid.h"
 
 using namespace csgcast;
@@ -137,7 +138,7 @@ TEST_CASE("The answer does not depend on the number of threads") {
 
 TEST_CASE("Smaller errors that are asked for are kept, and hold each other") {
   RandomSolids random(8);
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < test::times(30); ++round) {
     const Solid solid = random.tree(1 + round % 5);
     MeasureOptions options;
     options.relative_area_error = 0.5;
