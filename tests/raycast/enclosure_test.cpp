@@ -154,7 +154,7 @@ TEST_CASE("rays that depart to a side that leads away meet nothing, however litt
     const Solid far_off = at(transformed(solid, scaling({1e-3, 1e-3, 1e-3})), offset);
     sent += check_departures(far_off, random, Point{} + offset, 3e-3, 12);
   }
-  CHECK(sent > 3000);
+  CHECK(sent > (test::is_sanitized ? 100 : 3000));
 }
 
 TEST_CASE("in the examples rays that depart to a side that leads away meet nothing") {
