@@ -41,7 +41,7 @@ Node* find_root(std::vector<Node>& nodes) {
     open.back() = open.back().subspan(1);
     if ((node.modifiers & disabled) != 0 || is_scene_statement(node)) continue;
     if ((node.modifiers & root_only) != 0) return &node;
-    open.push_back(node.children);
+    open.emplace_back(node.children);
   }
   return nullptr;
 }
