@@ -115,8 +115,8 @@ Solid Solid::at(Place place) const& { return Solid(*this).at(std::move(place)); 
 Solid Solid::at(Place place) && {
   Solid result = node_.if_only_owner() != nullptr ? std::move(*this) : copy();
   result.node_.if_only_owner()->place = std::move(place);
-  return result;  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): the analyzer does not follow counted owners
-}
+  return result;
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): the analyzer does not follow counted owners
 
 Solid unite(std::vector<Solid> children) {
   if (children.empty()) return {};
