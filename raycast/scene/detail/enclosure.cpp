@@ -26,16 +26,14 @@ CellForm form_of(const Surface& surface) { return {surface.local, surface.center
 // rounding of the numbers here and of the places where rays start.
 class HeldBox {
  public:
-  HeldBox(const Scene& scene, const Box& box) : scene_(scene), is_finite_(box.is_finite()) {
-    const CellBox place = in_frame(box, scene.frame());
-    half_ = 0.5 * (place.upper - place.lower);
-    middle_ = 0.5 * (place.upper + place.lower);
-  }
+  /// Both must outlive it.
+  HeldBox(const Scene& scene, const Box& box) : scene_(scene), box_(box) {}
 
-  bool is_held_by(const HalfSpace& half_space) const {
+  bool is_held_by(const HalfSpace& half_space) {
     constexpr double clearance = 0x1p-40;
     const Surface& plane = scene_.surface(half_space.surface);
-    if (!is_finite_ || !plane.is_plane || !plane.is_local || !plane.in_range) return false;
+    if (!plane.is_plane || !plane.is_local || !plane.in_range || !box_.is_finite()) return false;
+    if (!is_placed_) place();
     const auto& c = plane.local;
     const Vector p = middle_ - plane.center;
     const double value = c[Form::x] * p.x + c[Form::y] * p.y + c[Form::z] * p.z + c[Form::one];
@@ -46,8 +44,16 @@ class HeldBox {
   }
 
  private:
+  void place() {
+    const CellBox place = in_frame(box_, scene_.frame());
+    half_ = 0.5 * (place.upper - place.lower);
+    middle_ = 0.5 * (place.upper + place.lower);
+    is_placed_ = true;
+  }
+
   const Scene& scene_;
-  bool is_finite_;
+  const Box& box_;
+  bool is_placed_ = false;
   Vector middle_;
   Vector half_;
 };
@@ -166,8 +172,8 @@ class Enclosure {
                                 const Box& second_box) const {
     std::sort(second.begin(), second.end(), before);
     std::vector<HalfSpace> both;
-    const HeldBox held_first(scene_, first_box);
-    const HeldBox held_second(scene_, second_box);
+    HeldBox held_first(scene_, first_box);
+    HeldBox held_second(scene_, second_box);
     for (const HalfSpace& one : first) {
       if (std::binary_search(second.begin(), second.end(), one, before) || held_second.is_held_by(one))
         both.push_back(one);
