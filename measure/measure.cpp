@@ -133,7 +133,7 @@ SceneMeasures measure(const Scene& scene, const MeasureOptions& options) {
       if (may_overlap(scene, part.node, other)) others.push_back(other);
     }
     before.push_back(part.node);
-    if (!has_mass || !alone.measures.is_bounded) continue;
+    if (!has_mass) continue;
     sum += others.empty() ? alone.body : body_of_rest(scene, part.node, others, part.name.density, options, second);
   }
   const Stretch first = half(), second = half();

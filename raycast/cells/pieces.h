@@ -23,8 +23,8 @@ struct Piece {
   std::array<std::uint32_t, most_surfaces> surfaces{};  ///< SurfaceId
   /// Tells if points are inside, by the signs of the surfaces: true is positive.
   TruthTable table;
-  /// What is known of a piece that more surfaces cross, or that a leaf with a function of its own has yet to tell of;
-  /// its table and surfaces say nothing. Else null.
+  /// Of a crowd: a piece that more surfaces cross, or in which a leaf is open (LeafFunction). A crowd's formula is kept
+  /// here, and its table and surfaces say nothing. Else null.
   struct Crowd;
   std::shared_ptr<const Crowd> crowd;
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "csg/solid/primitives.h"
+#include "tests/oracle/polyhedra.h"
 #include "tests/oracle/subject.h"
-#include "tests/support/polyhedra.h"
 
 namespace csgcast::oracle {
 

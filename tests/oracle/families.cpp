@@ -6,7 +6,7 @@
 
 #include "csg/solid/primitives.h"
 #include "tests/oracle/building.h"
-#include "tests/support/polyhedra.h"
+#include "tests/oracle/polyhedra.h"
 
 namespace csgcast::oracle {
 namespace {

@@ -2,8 +2,8 @@
 // The oracle under test: what it must notice.
 #include "tests/oracle/building.h"
 #include "tests/oracle/check.h"
+#include "tests/oracle/polyhedra.h"
 #include "tests/support/catch.h"
-#include "tests/support/polyhedra.h"
 
 namespace csgcast::oracle {
 namespace {

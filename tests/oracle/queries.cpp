@@ -6,7 +6,7 @@
 
 #include "csg/base/box.h"
 #include "csg/base/length.h"
-#include "tests/support/polyhedra.h"
+#include "tests/oracle/polyhedra.h"
 
 namespace csgcast::oracle {
 namespace {

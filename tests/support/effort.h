@@ -12,7 +12,7 @@ constexpr bool is_sanitized = true;  ///< everything takes some ten times as lon
 constexpr bool is_sanitized = false;
 #endif
 
-/// How many times a test does the same: sanitizers look at what is done at all, so a part will do for them.
+/// How often a test repeats what it does. Sanitizers need to see it only once, so they get an eighth.
 constexpr int times(int plain) { return is_sanitized ? (plain + 7) / 8 : plain; }
 
 /// Whether CSGCAST_LONG=1 asks for the long run of a test.

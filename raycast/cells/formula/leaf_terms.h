@@ -10,8 +10,9 @@
 
 namespace csgcast::detail {
 
-// A leaf that is no conjunction (LeafFunction) has several terms, each a conjunction, or one whose only entry is the
-// leaf's own literal: a number behind those of all surfaces, whose positive side is the leaf's inside.
+// A leaf with a LeafFunction has several terms in a formula. Each is a conjunction of half-spaces. If the leaf is open,
+// it has one term, whose only entry is the leaf's own literal. Literals of leaves are numbered behind the surfaces. The
+// positive side of a leaf's literal is the inside of the leaf.
 
 /// How many literals a scene has: its surfaces, and its leaves with a function.
 inline std::size_t literal_count(const Scene& scene) {

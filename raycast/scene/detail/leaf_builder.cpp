@@ -64,10 +64,12 @@ const LeafFunction* LeafBuilder::function_of(const LeafShape& shape) {
 // False if the leaf is an intersection that has the surface's other side already: then it has no inside. A truth
 // function keeps every half-space in its place.
 bool LeafBuilder::add_half_space(const HalfSpace& half_space, const Leaf& leaf) {
-  const auto begin = tables_.half_spaces.begin() + static_cast<std::ptrdiff_t>(leaf.first);
-  const auto same = std::find_if(begin, tables_.half_spaces.end(),
-                                 [&](const HalfSpace& other) { return other.surface == half_space.surface; });
-  if (leaf.function == nullptr && same != tables_.half_spaces.end()) return same->sense == half_space.sense;
+  if (leaf.function == nullptr) {
+    const auto begin = tables_.half_spaces.begin() + static_cast<std::ptrdiff_t>(leaf.first);
+    const auto same = std::find_if(begin, tables_.half_spaces.end(),
+                                   [&](const HalfSpace& other) { return other.surface == half_space.surface; });
+    if (same != tables_.half_spaces.end()) return same->sense == half_space.sense;
+  }
   tables_.half_spaces.push_back(half_space);
   return true;
 }

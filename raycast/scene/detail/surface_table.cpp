@@ -33,7 +33,7 @@ Point completed(Point p, const Frame& frame) {
 
 }  // namespace
 
-// The surface of an entry, if same(other, entry) holds for one that is there; else it is added.
+// Finds the surface with this entry: same(other, entry) tells. If there is none, the entry is added.
 template <class Same>
 SurfaceId SurfaceTable::find_or_add(std::uint64_t hash, Entry entry, Same&& same) {
   const auto next = static_cast<std::uint32_t>(entries_.size());

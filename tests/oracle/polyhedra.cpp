@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/polyhedra.h"
+#include "tests/oracle/polyhedra.h"
 
 #include <cmath>
 #include <limits>
