@@ -5,6 +5,7 @@
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
 #include "cli/input/scene_input.h"
+#include "cli/output/format.h"
 #include "cli/output/json.h"
 #include "cli/output/labelled_row.h"
 #include "cli/output/output.h"
@@ -130,21 +131,20 @@ void run(const CheckCommand& command) {
 
 }  // namespace
 
-Command check_command(CLI::App& program) {
+Command check_command() {
   auto options = std::make_shared<CheckCommand>();
-  CLI::App* line = program.add_subcommand(
-      "check", "Look for parts that overlap, statements without effect, and what may be unbounded");
-  add_scene_options(*line, options->scene);
-  add_choice(*line, "--format", options->format, "The format of the output",
-             {{"table", Format::table}, {"json", Format::json}});
-  line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
-  line->footer(
-      "Parts overlap if a ray was found that is inside both at once, exactly; faces that only touch do not. What is\n"
-      "found is no error: the exit code is 0.\n\n"
-      "Example:\n"
-      "  csgcast check assembly.csg\n"
-      "  csgcast check assembly.csg --format json -o report.json");
-  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
+  Command command{.name = "check",
+                  .summary = "Look for parts that overlap, statements without effect, and unbounded solids"};
+  command.add(choice<Format>("--format", options->format, "The format of the output",
+                             {{"table", Format::table}, {"json", Format::json}}));
+  command.add(output_option(options->output));
+  add_scene_options(command, options->scene);
+  command.details =
+      "Two parts overlap if a ray was found that is inside both at once, exactly. Faces that only touch do not "
+      "overlap. Findings are no errors: the exit code is 0.";
+  command.examples = {"csgcast check assembly.csg", "csgcast check assembly.csg --format json -o report.json"};
+  command.run = [options] { on_threads(options->scene.threads, [&] { run(*options); }); };
+  return command;
 }
 
 }  // namespace csgcast::cli

@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cli/input/options.h"
+#include <span>
+#include <vector>
+
+#include "cli/input/command.h"
 
 namespace csgcast::cli {
 
-/// Each adds its command to the program's line.
-Command render_command(CLI::App& program);
-Command intervals_command(CLI::App& program);
-Command locate_command(CLI::App& program);
-Command thickness_command(CLI::App& program);
-Command section_command(CLI::App& program);
-Command check_command(CLI::App& program);
-Command measure_command(CLI::App& program);
-Command info_command(CLI::App& program);
-Command verify_command(CLI::App& program);
+/// One command each, with its options at their defaults.
+Command render_command();
+Command intervals_command();
+Command locate_command();
+Command measure_command();
+Command section_command();
+Command thickness_command();
+Command check_command();
+Command info_command();
+Command verify_command();
+Command help_command();
+
+/// All of them, in the order in which the help lists them.
+std::vector<Command> all_commands();
+
+/// The command of this name. Throws UsageError, with the nearest name, if there is none.
+const Command& command_named(const std::string& name, std::span<const Command> commands);
 
 }  // namespace csgcast::cli

@@ -5,6 +5,7 @@
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
 #include "cli/input/scene_input.h"
+#include "cli/output/format.h"
 #include "cli/output/json.h"
 #include "cli/output/labelled_row.h"
 #include "cli/output/output.h"
@@ -212,18 +213,16 @@ void run(const InfoOptions& options) {
 
 }  // namespace
 
-Command info_command(CLI::App& program) {
+Command info_command() {
   auto options = std::make_shared<InfoOptions>();
-  CLI::App* line = program.add_subcommand("info", "Tell what a scene holds");
-  add_scene_options(*line, options->scene);
-  add_choice(*line, "--format", options->format, "The format of the output",
-             {{"table", Format::table}, {"json", Format::json}});
-  line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
-  line->footer(
-      "Example:\n"
-      "  csgcast info part.csg\n"
-      "  csgcast info part.csg --format json");
-  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
+  Command command{.name = "info", .summary = "Tell what a scene holds"};
+  command.add(choice<Format>("--format", options->format, "The format of the output",
+                             {{"table", Format::table}, {"json", Format::json}}));
+  command.add(output_option(options->output));
+  add_scene_options(command, options->scene);
+  command.examples = {"csgcast info part.csg", "csgcast info part.csg --format json"};
+  command.run = [options] { on_threads(options->scene.threads, [&] { run(*options); }); };
+  return command;
 }
 
 }  // namespace csgcast::cli

@@ -8,8 +8,11 @@
 
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
+#include "cli/input/options.h"
 #include "cli/input/rows_option.h"
+#include "cli/output/format.h"
 #include "cli/output/interval_report.h"
+#include "cli/output/usage.h"
 #include "csg/base/precondition.h"
 #include "raycast/cells/cells.h"
 #include "raycast/packets/packet_caster.h"
@@ -180,32 +183,43 @@ void run(const IntervalsOptions& options) {
 
 }  // namespace
 
-Command intervals_command(CLI::App& program) {
+Command intervals_command() {
   auto options = std::make_shared<IntervalsOptions>();
-  CLI::App* line = program.add_subcommand("intervals", "List where rays are inside the solid");
-  add_scene_options(*line, options->scene);
-  add_rows_option(*line, options->rays, "One ray: its origin and its direction, which need not be unit");
-  const auto whole_line = line->add_flag("--line", options->whole_line, "The whole line, not from t = 0 on");
-  line->add_option("--tmin", options->t_min, "Where rays begin (default 0; -inf is allowed)")
-      ->type_name("T")
-      ->excludes(whole_line);
-  line->add_option("--tmax", options->t_max, "Where rays end (default inf)")->type_name("T")->excludes(whole_line);
-  add_choice(*line, "--by", options->by,
-             "One list for the scene, or one for each part (what is in no part is left out)",
-             {{"scene", By::scene}, {"part", By::part}});
-  add_choice(*line, "--format", options->format, "The format of the output",
-             {{"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}});
-  line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
-  line->footer(
-      "t counts in units of the direction. Normals are unit and point out of the solid; solids are named by the\n"
-      "line:column of their statement. The columns of a file of rays stand in the order of --rays,\n"
-      "with a header or without.\n"
-      "With --by scene the part is that of the entry's face; of an interval that is cut off at its start, the first\n"
-      "part in the file that holds the start.\n\n"
-      "Example:\n"
-      "  csgcast intervals part.csg --ray 0,0,100,0,0,-1\n"
-      "  csgcast intervals part.csg --rays rays.csv --format csv -o intervals.csv");
-  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
+  Command command{.name = "intervals", .summary = "List where rays are inside the solid"};
+  add_rows_option(command, options->rays, "One ray: its origin and its direction, which need not be unit");
+  command.add({.names = "--line",
+               .value = {},
+               .help = "Take the whole line, from -inf to inf, instead of the ray from t = 0 on",
+               .take = into(options->whole_line)});
+  command.add({.names = "--tmin",
+               .value = "T",
+               .help = "Where rays begin; -inf is allowed",
+               .preset = "0",
+               .take = into(options->t_min),
+               .conflicts = {"--line"}});
+  command.add({.names = "--tmax",
+               .value = "T",
+               .help = "Where rays end",
+               .preset = "inf",
+               .take = into(options->t_max),
+               .conflicts = {"--line"}});
+  command.add(choice<By>("--by", options->by,
+                         "One list for the scene, or one for each part; what is in no part is then left out",
+                         {{"scene", By::scene}, {"part", By::part}}));
+  command.add(choice<Format>("--format", options->format, "The format of the output",
+                             {{"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}}));
+  command.add(output_option(options->output));
+  add_scene_options(command, options->scene);
+  command.details =
+      "t counts in units of the direction. Normals are unit and point out of the solid. Solids are named by the "
+      "line:column of their statement. The columns of a file of rays stand in the order of --rays, with a header or "
+      "without.\n"
+      "With --by scene the part is that of the entry's face. If an interval is cut off at its start, the part is the "
+      "first one in the file that holds the start.";
+  command.examples = {"csgcast intervals part.csg --ray 0,0,100,0,0,-1",
+                      "csgcast intervals part.csg --rays rays.csv --format csv -o intervals.csv"};
+  command.run = [options] { on_threads(options->scene.threads, [&] { run(*options); }); };
+  return command;
 }
 
 }  // namespace csgcast::cli

@@ -5,6 +5,7 @@
 #include "cli/input/distinct_files.h"
 #include "cli/input/rows_option.h"
 #include "cli/output/csv.h"
+#include "cli/output/format.h"
 #include "cli/output/json.h"
 #include "cli/output/printable.h"
 #include "csg/base/number_text.h"
@@ -111,21 +112,21 @@ void run(const LocateOptions& options) {
 
 }  // namespace
 
-Command locate_command(CLI::App& program) {
+Command locate_command() {
   auto options = std::make_shared<LocateOptions>();
-  CLI::App* line = program.add_subcommand("locate", "Tell whether points are inside, outside or on the boundary");
-  add_scene_options(*line, options->scene);
-  add_rows_option(*line, options->points, "One point");
-  add_choice(*line, "--format", options->format, "The format of the output",
-             {{"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}});
-  line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
-  line->footer(
-      "The columns of a file of points stand in the order of --points, with a header or without.\n"
-      "The part is the first in the file that has the point inside, else the first with the point on its boundary.\n\n"
-      "Example:\n"
-      "  csgcast locate part.csg --point 1,2,3\n"
-      "  csgcast locate part.csg --points points.csv --format csv -o where.csv");
-  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
+  Command command{.name = "locate", .summary = "Tell whether points are inside, outside or on the boundary"};
+  add_rows_option(command, options->points, "One point");
+  command.add(choice<Format>("--format", options->format, "The format of the output",
+                             {{"table", Format::table}, {"csv", Format::csv}, {"json", Format::json}}));
+  command.add(output_option(options->output));
+  add_scene_options(command, options->scene);
+  command.details =
+      "The columns of a file of points stand in the order of --points, with a header or without. The part is the "
+      "first one in the file that has the point inside, or else the first one with the point on its boundary.";
+  command.examples = {"csgcast locate part.csg --point 1,2,3",
+                      "csgcast locate part.csg --points points.csv --format csv -o where.csv"};
+  command.run = [options] { on_threads(options->scene.threads, [&] { run(*options); }); };
+  return command;
 }
 
 }  // namespace csgcast::cli

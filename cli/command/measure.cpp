@@ -5,13 +5,16 @@
 
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
+#include "cli/input/options.h"
 #include "cli/input/scene_input.h"
+#include "cli/output/format.h"
 #include "cli/output/json.h"
 #include "cli/output/labelled_row.h"
 #include "cli/output/leaf_name.h"
 #include "cli/output/output.h"
 #include "cli/output/printable.h"
 #include "cli/output/stopwatch.h"
+#include "cli/output/usage.h"
 #include "csg/base/number_text.h"
 #include "measure/measure.h"
 #include "raycast/packets/threads.h"
@@ -160,28 +163,32 @@ void run(const MeasureCommand& command) {
 
 }  // namespace
 
-Command measure_command(CLI::App& program) {
+Command measure_command() {
   auto options = std::make_shared<MeasureCommand>();
-  CLI::App* line =
-      program.add_subcommand("measure", "Measure volume, area, mass, centroid, inertia and bounds, with error bounds");
-  add_scene_options(*line, options->scene);
-  line->add_option("--relative-error", options->relative_error, "Of the volume: error / value")
-      ->type_name("E")
-      ->capture_default_str();
-  line->add_option("--area-error", options->area_error, "Of the surface's area: error / value; inf: any")
-      ->type_name("E")
-      ->capture_default_str();
-  add_choice(*line, "--format", options->format, "The format of the output",
-             {{"table", Format::table}, {"json", Format::json}});
-  line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
-  line->footer(
-      "The true value is within each printed error, rounding included. Mass, centroid and inertia (about the "
-      "centroid,\n"
-      "along the scene's axes) are those of the parts with their densities, and of the rest with density 1.\n\n"
-      "Example:\n"
-      "  csgcast measure part.csg\n"
-      "  csgcast measure part.csg --relative-error 1e-8 --format json -o part.json");
-  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
+  Command command{.name = "measure",
+                  .summary = "Measure volume, area, mass, centroid, inertia and bounds, with error bounds"};
+  command.add({.names = "--relative-error",
+               .value = "E",
+               .help = "The error of the volume that is asked for, divided by the volume",
+               .preset = options->relative_error,
+               .take = into(options->relative_error)});
+  command.add({.names = "--area-error",
+               .value = "E",
+               .help = "The error of the area that is asked for, divided by the area; inf allows any",
+               .preset = options->area_error,
+               .take = into(options->area_error)});
+  command.add(choice<Format>("--format", options->format, "The format of the output",
+                             {{"table", Format::table}, {"json", Format::json}}));
+  command.add(output_option(options->output));
+  add_scene_options(command, options->scene);
+  command.details =
+      "The true value is within each printed error, rounding included. Mass, centroid and inertia are those of the "
+      "parts with their densities, and of the rest with density 1. The inertia is about the centroid, along the axes "
+      "of the scene.";
+  command.examples = {"csgcast measure part.csg",
+                      "csgcast measure part.csg --relative-error 1e-8 --format json -o part.json"};
+  command.run = [options] { on_threads(options->scene.threads, [&] { run(*options); }); };
+  return command;
 }
 
 }  // namespace csgcast::cli

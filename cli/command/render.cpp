@@ -4,16 +4,19 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
 
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
+#include "cli/input/options.h"
 #include "cli/input/scene_input.h"
 #include "cli/output/output.h"
 #include "cli/output/render_stats.h"
 #include "cli/output/stopwatch.h"
+#include "cli/output/usage.h"
 #include "raycast/packets/threads.h"
 #include "shade/picture/image_file.h"
 
@@ -27,13 +30,15 @@ struct RenderCommandOptions {
   SceneOptions scene;
   RenderOptions render;
   std::string size = "800x600";
-  std::string samples = "1";
+  std::optional<std::string> samples;
   bool adaptive = false;
   std::string camera;
   std::string trace_pixel;
   std::string output;
   std::string stats;
 };
+
+bool takes_samples(Mode mode) { return mode == Mode::shaded || mode == Mode::edges || mode == Mode::xray; }
 
 /// The options, checked as far as they can be before the scene is read.
 struct Job {
@@ -60,10 +65,22 @@ void check_film_memory(const RenderOptions& options) {
 
 void check_files(const RenderCommandOptions& options) {
   std::vector<NamedFile> outputs;
-  if (!options.output.empty()) outputs.push_back({"-o", options.output});
-  if (!options.stats.empty()) outputs.push_back({"--stats", options.stats});
+  if (!options.output.empty()) outputs.push_back({"-o", path_of(options.output)});
+  if (!options.stats.empty()) outputs.push_back({"--stats", path_of(options.stats)});
   if (!options.trace_pixel.empty()) outputs.push_back({"--trace-pixel", ""});
+  if (std::count_if(outputs.begin(), outputs.end(), [](const NamedFile& f) { return f.path.empty(); }) > 1)
+    throw UsageError("only one of -o, --stats and --trace-pixel can go to standard output");
   check_distinct(std::array{NamedFile{"the scene", options.scene.path}}, outputs);
+}
+
+int parse_samples(const RenderCommandOptions& options) {
+  const int samples = parse_count("--samples", *options.samples, 1, most_samples);
+  if (!takes_samples(options.render.mode)) {
+    throw UsageError(
+        "--samples has no effect with --mode depth, normal or id (these take the ray through a pixel's centre)");
+  }
+  if (options.output.empty()) throw UsageError("--samples needs -o (--trace-pixel takes the ray through the centre)");
+  return samples;
 }
 
 Sampling adaptive_sampling(const RenderOptions& options) {
@@ -79,7 +96,7 @@ Sampling adaptive_sampling(const RenderOptions& options) {
 Job check(const RenderCommandOptions& options) {
   Job job{options.render, {}, {}};
   std::tie(job.render.width, job.render.height) = parse_pair("--size", options.size, 'x', 1, largest_side);
-  job.render.samples = parse_count("--samples", options.samples, 1, most_samples);
+  if (options.samples) job.render.samples = parse_samples(options);
   if (options.adaptive) job.render.sampling = adaptive_sampling(job.render);
   check_film_memory(job.render);
   if (!options.camera.empty()) job.camera = camera_from_numbers(parse_numbers("--camera", options.camera));
@@ -100,14 +117,14 @@ Job check(const RenderCommandOptions& options) {
     if (!options.stats.empty()) throw UsageError("--stats needs -o (there is no picture to count rays of)");
     return job;
   }
-  check_image_path(options.output);
+  check_image_path(picture_name(options.output));
   return job;
 }
 
 /// The files of a picture, open from the beginning.
 struct PictureFiles {
-  explicit PictureFiles(const RenderCommandOptions& options) : picture(options.output) {
-    if (!options.stats.empty()) stats.emplace(options.stats);
+  explicit PictureFiles(const RenderCommandOptions& options) : picture(path_of(options.output)) {
+    if (!options.stats.empty()) stats.emplace(path_of(options.stats));
   }
 
   Output picture;
@@ -122,7 +139,7 @@ void render_picture(const RenderCommandOptions& options, Job& job, const SceneIn
   const Film film = render(input.scene, view, job.render, &report);
   bar.reset();
   const Stopwatch write_watch;
-  files.picture.write(image_bytes(film, options.output));
+  files.picture.write(image_bytes(film, picture_name(options.output)));
   files.picture.commit();
   if (!files.stats) return;
   files.stats->write(render_stats(
@@ -148,37 +165,53 @@ void run(const RenderCommandOptions& options) {
 
 }  // namespace
 
-Command render_command(CLI::App& program) {
+Command render_command() {
   auto options = std::make_shared<RenderCommandOptions>();
-  CLI::App* line = program.add_subcommand("render", "Make a picture");
-  add_scene_options(*line, options->scene);
-  line->add_option("-o,--output", options->output, "The picture to write: .png, .jpg, .tif (8 bits) or .exr (floats)")
-      ->type_name("FILE");
-  line->add_option("--size", options->size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
-  line->add_option("--samples", options->samples, "Rays a pixel, rounded up to a square number")
-      ->type_name("N")
-      ->capture_default_str();
-  line->add_flag("--adaptive", options->adaptive, "Take all samples only in pixels that do not look like those around");
-  line->add_option("--camera", options->camera,
-                   "Eye and the point looked at; or seven numbers: OpenSCAD's translation, rotation and distance")
-      ->type_name("ex,ey,ez,ax,ay,az");
-  add_choice(*line, "--mode", options->render.mode, "What the picture shows",
-             {{"shaded", Mode::shaded},
-              {"edges", Mode::edges},
-              {"xray", Mode::xray},
-              {"depth", Mode::depth},
-              {"normal", Mode::normal},
-              {"id", Mode::id}});
-  line->add_option("--stats", options->stats, "Count rays and tests, and time each stage, into this file")
-      ->type_name("FILE.json");
-  line->add_option("--trace-pixel", options->trace_pixel,
-                   "Print the rays of one pixel, counted from the top left; -o may then be left out")
-      ->type_name("x,y");
-  line->footer(
-      "Example:\n"
-      "  csgcast render part.csg -o part.png\n"
-      "  csgcast render part.csg -o part.exr --size 1920x1080 --samples 9 --camera 80,-120,60,0,0,0 --stats part.json");
-  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
+  Command command{.name = "render", .summary = "Make a picture"};
+  command.add({.names = "-o,--output",
+               .value = "FILE",
+               .help = "The picture to write: .png, .jpg, .tif (8 bits) or .exr (floats); - is standard output, as PNG",
+               .take = into(options->output),
+               .completes = Completes::files});
+  command.add({.names = "--size",
+               .value = "WxH",
+               .help = "Width and height in pixels",
+               .preset = options->size,
+               .take = into(options->size)});
+  command.add({.names = "--samples",
+               .value = "N",
+               .help = "Rays a pixel, rounded up to a square number (default 1). For modes shaded, edges and xray",
+               .take = into(options->samples)});
+  command.add({.names = "--adaptive",
+               .value = {},
+               .help = "Take all samples only in pixels that do not look like those around",
+               .take = into(options->adaptive)});
+  command.add(
+      {.names = "--camera",
+       .value = "ex,ey,ez,ax,ay,az",
+       .help = "The eye and the point looked at; or seven numbers: OpenSCAD's translation, rotation and distance",
+       .take = into(options->camera)});
+  command.add(choice<Mode>("--mode", options->render.mode, "What the picture shows",
+                           {{"shaded", Mode::shaded},
+                            {"edges", Mode::edges},
+                            {"xray", Mode::xray},
+                            {"depth", Mode::depth},
+                            {"normal", Mode::normal},
+                            {"id", Mode::id}}));
+  command.add({.names = "--stats",
+               .value = "FILE.json",
+               .help = "Count rays and tests, and time each stage, into this file; - is standard output",
+               .take = into(options->stats),
+               .completes = Completes::files});
+  command.add({.names = "--trace-pixel",
+               .value = "x,y",
+               .help = "Print the rays of one pixel, counted from the top left; -o may then be left out",
+               .take = into(options->trace_pixel)});
+  add_scene_options(command, options->scene);
+  command.examples = {"csgcast render part.csg -o part.png",
+                      "csgcast render part.csg -o part.exr --size 1920x1080 --samples 9 --stats part.json"};
+  command.run = [options] { on_threads(options->scene.threads, [&] { run(*options); }); };
+  return command;
 }
 
 }  // namespace csgcast::cli

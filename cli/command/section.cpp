@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
+#include "cli/input/options.h"
 #include "cli/input/scene_input.h"
 #include "cli/output/json.h"
 #include "cli/output/output.h"
 #include "cli/output/section_image.h"
+#include "cli/output/usage.h"
 #include "measure/section.h"
 #include "measure/section_svg.h"
 #include "raycast/packets/threads.h"
@@ -20,7 +23,7 @@ struct SectionCommand {
   SceneOptions scene;
   std::string plane;
   std::string relative_error = "1e-6";
-  std::string size = "1024";
+  std::optional<std::string> size;
   std::string output;
 };
 
@@ -69,11 +72,12 @@ void run(const SectionCommand& command) {
   job.relative_error = parse_numbers("--relative-error", command.relative_error, 1)[0];
   if (!(job.relative_error > 0 && job.relative_error < 1))
     throw UsageError(fmt::format("--relative-error {} is not between 0 and 1", command.relative_error));
-  const int pixels = parse_count("--size", command.size, 1, 16384);
+  const int pixels = parse_count("--size", command.size.value_or("1024"), 1, 16384);
   const bool is_drawing = ends_with(command.output, ".svg");
   const bool is_image = ends_with(command.output, ".png");
   if (!is_drawing && !is_image && !command.output.empty() && !ends_with(command.output, ".json"))
     throw UsageError(fmt::format("-o {} has an unknown ending (known are .svg, .png, .json)", command.output));
+  if (command.size && !is_image) throw UsageError("--size needs -o with a .png (it is the pixels of one)");
   check_distinct(std::array{NamedFile{"the scene", command.scene.path}}, std::array{NamedFile{"-o", command.output}});
   Output output(command.output);
   const SceneInput input = read_scene(command.scene);
@@ -97,26 +101,34 @@ void run(const SectionCommand& command) {
 
 }  // namespace
 
-Command section_command(CLI::App& program) {
+Command section_command() {
   auto options = std::make_shared<SectionCommand>();
-  CLI::App* line = program.add_subcommand("section", "Cut the solid with a plane: exact curves, area and perimeter");
-  add_scene_options(*line, options->scene);
-  line->add_option("--plane", options->plane, "The plane n . p = d")->type_name("nx,ny,nz,d")->required();
-  line->add_option("--relative-error", options->relative_error, "Of area and perimeter: error / value")
-      ->type_name("E")
-      ->capture_default_str();
-  line->add_option("-o,--output", options->output,
-                   "The file to write, .svg, .png or .json (default: JSON to standard output)")
-      ->type_name("FILE");
-  line->add_option("--size", options->size, "Pixels of a .png's longer side")->type_name("N")->capture_default_str();
-  line->footer(
-      "Curves are runs of lines and conics, loops of them around what is inside. Where a face lies in the plane it is "
-      "the\n"
-      "section just beyond, on the side that the normal points to.\n\n"
-      "Example:\n"
-      "  csgcast section part.csg --plane 0,0,1,2.5 -o cut.svg\n"
-      "  csgcast section part.csg --plane 1,0,0,0 -o cut.json");
-  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
+  Command command{.name = "section", .summary = "Cut the solid with a plane: exact curves, area and perimeter"};
+  command.add({.names = "--plane",
+               .value = "nx,ny,nz,d",
+               .help = "The plane n . p = d",
+               .take = into(options->plane),
+               .is_required = true});
+  command.add({.names = "--relative-error",
+               .value = "E",
+               .help = "The error of area and perimeter that is asked for, divided by the value",
+               .preset = options->relative_error,
+               .take = into(options->relative_error)});
+  Option output = output_option(options->output);
+  output.help = "The file to write: .svg, .png or .json; - is standard output, as JSON";
+  command.add(output);
+  command.add({.names = "--size",
+               .value = "N",
+               .help = "Pixels of the longer side of a .png (default 1024)",
+               .take = into(options->size)});
+  add_scene_options(command, options->scene);
+  command.details =
+      "Curves are runs of lines and conics, in loops around the inside. If a face lies in the cutting plane, the plane "
+      "is moved a tiny bit along its normal.";
+  command.examples = {"csgcast section part.csg --plane 0,0,1,2.5 -o cut.svg",
+                      "csgcast section part.csg --plane 1,0,0,0 -o cut.json"};
+  command.run = [options] { on_threads(options->scene.threads, [&] { run(*options); }); };
+  return command;
 }
 
 }  // namespace csgcast::cli

@@ -7,10 +7,13 @@
 
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
+#include "cli/input/options.h"
 #include "cli/input/scene_input.h"
+#include "cli/output/format.h"
 #include "cli/output/json.h"
 #include "cli/output/leaf_name.h"
 #include "cli/output/output.h"
+#include "cli/output/usage.h"
 #include "csg/base/number_text.h"
 #include "measure/thickness.h"
 #include "raycast/packets/threads.h"
@@ -25,8 +28,8 @@ constexpr int largest_side = 16384;
 
 struct ThicknessCommand {
   SceneOptions scene;
-  std::string size = "800x600";
-  std::string samples = "512";
+  std::optional<std::string> size;
+  std::string grid = "512";
   std::string camera;
   Format format = Format::table;
   std::string output;
@@ -82,57 +85,77 @@ std::string as_json(const Scene& scene, const std::optional<ThinPlace>& thinnest
 }
 
 void run(const ThicknessCommand& command) {
-  const auto [width, height] = parse_pair("--size", command.size, 'x', 1, largest_side);
-  const int samples = parse_count("--samples", command.samples, 1, largest_side);
+  const auto [width, height] = parse_pair("--size", command.size.value_or("800x600"), 'x', 1, largest_side);
+  const int grid = parse_count("--grid", command.grid, 1, largest_side);
+  if (command.output.empty() && (command.size || !command.camera.empty()))
+    throw UsageError(fmt::format("{} needs -o (it is about the map)", command.size ? "--size" : "--camera"));
   std::optional<CameraDescription> camera;
   if (!command.camera.empty()) camera = camera_from_numbers(parse_numbers("--camera", command.camera));
   if (!command.output.empty()) {
-    check_image_path(command.output);
-    check_distinct(std::array{NamedFile{"the scene", command.scene.path}}, std::array{NamedFile{"-o", command.output}});
+    check_image_path(picture_name(command.output));
+    check_distinct(std::array{NamedFile{"the scene", command.scene.path}},
+                   std::array{NamedFile{"-o", path_of(command.output)}});
   }
   std::optional<Output> map;
-  if (!command.output.empty()) map.emplace(command.output);
+  if (!command.output.empty()) map.emplace(path_of(command.output));
   SceneInput input = read_scene(command.scene);
   if (camera) input.description.camera = camera;
   const Cells cells(input.scene);
   if (map) {
     const View view = make_view(input.description, input.scene, static_cast<double>(width) / height);
-    map->write(image_bytes(thickness_map(cells, view, width, height), command.output));
+    map->write(image_bytes(thickness_map(cells, view, width, height), picture_name(command.output)));
     map->commit();
   }
   std::optional<ThinPlace> thinnest;
   {
     ProgressBar bar("looking for the thinnest place", command.scene.progress());
-    thinnest = find_thinnest(cells, static_cast<std::size_t>(samples), bar.callback());
+    thinnest = find_thinnest(cells, static_cast<std::size_t>(grid), bar.callback());
+  }
+  const std::string text =
+      command.format == Format::json ? as_json(input.scene, thinnest) : as_text(input.scene, thinnest);
+  if (command.output == "-") {
+    fmt::print(stderr, "{}", text);
+    return;
   }
   Output output("");
-  output.write(command.format == Format::json ? as_json(input.scene, thinnest) : as_text(input.scene, thinnest));
+  output.write(text);
   output.commit();
 }
 
 }  // namespace
 
-Command thickness_command(CLI::App& program) {
+Command thickness_command() {
   auto options = std::make_shared<ThicknessCommand>();
-  CLI::App* line = program.add_subcommand("thickness", "Tell how thick the solid is: a map, and the thinnest place");
-  add_scene_options(*line, options->scene);
-  line->add_option("-o,--output", options->output, "The map: .png, .jpg, .tif, or .exr with the lengths")
-      ->type_name("FILE");
-  line->add_option("--size", options->size, "Of the map")->type_name("WxH")->capture_default_str();
-  line->add_option("--camera", options->camera, "As of render")->type_name("ex,ey,ez,ax,ay,az");
-  line->add_option("--samples", options->samples, "N x N rays along each axis look for the thinnest place")
-      ->type_name("N")
-      ->capture_default_str();
-  add_choice(*line, "--format", options->format, "The format of the text",
-             {{"table", Format::table}, {"json", Format::json}});
-  line->footer(
-      "Thickness is the way from a place on the boundary straight in, against the normal, to the boundary again. The\n"
-      "thinnest place is that of the samples where the far face is at most 60 degrees from square: corners are no "
-      "walls.\n\n"
-      "Example:\n"
-      "  csgcast thickness part.csg\n"
-      "  csgcast thickness part.csg -o thickness.exr --size 1920x1080");
-  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
+  Command command{.name = "thickness", .summary = "Tell how thick the solid is: a map, and the thinnest place"};
+  command.add({.names = "-o,--output",
+               .value = "FILE",
+               .help = "Draw a map into this picture; .exr holds the lengths. - is standard output, as PNG; the text "
+                       "then goes to standard error",
+               .take = into(options->output),
+               .completes = Completes::files});
+  command.add({.names = "--size",
+               .value = "WxH",
+               .help = "Width and height of the map in pixels (default 800x600)",
+               .take = into(options->size)});
+  command.add({.names = "--camera",
+               .value = "ex,ey,ez,ax,ay,az",
+               .help = "The camera of the map, as for render",
+               .take = into(options->camera)});
+  command.add({.names = "--grid",
+               .value = "N",
+               .help = "N x N rays along each axis look for the thinnest place",
+               .preset = options->grid,
+               .take = into(options->grid)});
+  command.add(choice<Format>("--format", options->format, "The format of the text",
+                             {{"table", Format::table}, {"json", Format::json}}));
+  add_scene_options(command, options->scene);
+  command.details =
+      "The thickness at a place on the boundary is the way from there straight in, against the normal, to the boundary "
+      "again. A place counts for the thinnest one if its far face is at most 60 degrees from square: corners are no "
+      "walls.";
+  command.examples = {"csgcast thickness part.csg", "csgcast thickness part.csg -o thickness.exr --size 1920x1080"};
+  command.run = [options] { on_threads(options->scene.threads, [&] { run(*options); }); };
+  return command;
 }
 
 }  // namespace csgcast::cli

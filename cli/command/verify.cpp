@@ -5,7 +5,9 @@
 
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
+#include "cli/input/options.h"
 #include "cli/input/scene_input.h"
+#include "cli/output/format.h"
 #include "cli/output/json.h"
 #include "cli/output/output.h"
 #include "cli/output/printable.h"
@@ -143,29 +145,30 @@ void run(const VerifyOptions& options) {
 
 }  // namespace
 
-Command verify_command(CLI::App& program) {
+Command verify_command() {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* line = program.add_subcommand("verify", "Compare the answers with exact arithmetic on this scene");
-  add_scene_options(*line, options->scene);
-  line->add_option("--rays", options->rays,
-                   "How many random rays, and as many adversarial ones (default: 10000, fewer where rays are slow)")
-      ->type_name("N");
-  line->add_option("--seed", options->seed, "Which rays: the same for the same seed")
-      ->type_name("S")
-      ->capture_default_str();
-  add_choice(*line, "--format", options->format, "The format of the output",
-             {{"table", Format::table}, {"json", Format::json}});
-  line->add_option("-o,--output", options->output, "The file to write (default: standard output)")->type_name("FILE");
-  line->footer(
-      "Every engine is asked for the intervals on the ray, on the whole line and on its reverse, for the first hit "
-      "and\n"
-      "for any hit; surfaces and t must be those of exact arithmetic, bit by bit. Flagged are rays with a decision "
-      "that\n"
-      "plain double left open. Exit code 1 if an answer is wrong.\n\n"
-      "Example:\n"
-      "  csgcast verify part.csg\n"
-      "  csgcast verify part.csg --rays 1000000 --seed 2 --format json -o report.json");
-  return {line, [options] { on_threads(options->scene.threads, [&] { run(*options); }); }};
+  Command command{.name = "verify", .summary = "Compare the answers with exact arithmetic on this scene"};
+  command.add({.names = "--rays",
+               .value = "N",
+               .help = "The number of random rays, and of adversarial rays (default 10000, fewer where rays are slow)",
+               .take = into(options->rays)});
+  command.add({.names = "--seed",
+               .value = "S",
+               .help = "Which rays: the same seed gives the same rays",
+               .preset = options->seed,
+               .take = into(options->seed)});
+  command.add(choice<Format>("--format", options->format, "The format of the output",
+                             {{"table", Format::table}, {"json", Format::json}}));
+  command.add(output_option(options->output));
+  add_scene_options(command, options->scene);
+  command.details =
+      "Every engine is asked for the intervals on the ray, on the whole line and on the reversed line, for the first "
+      "hit and for any hit. Surfaces and t must be those of exact arithmetic, bit by bit. A ray is flagged if plain "
+      "double left a decision open. The exit code is 1 if an answer is wrong.";
+  command.examples = {"csgcast verify part.csg",
+                      "csgcast verify part.csg --rays 1000000 --seed 2 --format json -o report.json"};
+  command.run = [options] { on_threads(options->scene.threads, [&] { run(*options); }); };
+  return command;
 }
 
 }  // namespace csgcast::cli

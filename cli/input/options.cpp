@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/input/options.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "cli/output/printable.h"
+#include "cli/output/usage.h"
 #include "csg/base/number_text.h"
 
 namespace csgcast::cli {

@@ -7,15 +7,18 @@
 #include <utility>
 
 #include "cli/input/options.h"
+#include "cli/output/usage.h"
 
 namespace csgcast::cli {
 
-void add_rows_option(CLI::App& line, RowsOption& option, const std::string& help) {
+void add_rows_option(Command& command, RowsOption& option, const std::string& help) {
   const std::string columns = fmt::format("{}", fmt::join(option.columns, ","));
-  line.add_option(option.single_name, option.single, help)->type_name(columns);
-  line.add_option(option.file_name, option.file,
-                  fmt::format("A CSV file with the columns {}, - for standard input", columns))
-      ->type_name("FILE.csv");
+  command.add({.names = option.single_name, .value = columns, .help = help, .take = into(option.single)});
+  command.add({.names = option.file_name,
+               .value = "FILE.csv",
+               .help = fmt::format("A CSV file with the columns {}; - is standard input", columns),
+               .take = into(option.file),
+               .completes = Completes::files});
 }
 
 Rows::Rows(const RowsOption& option, const SceneOptions& scene)

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "cli/input/command.h"
 #include "cli/input/number_rows.h"
 #include "cli/input/row_pipeline.h"
 #include "cli/input/scene_input.h"
@@ -25,8 +24,8 @@ struct RowsOption {
   std::string file;
 };
 
-/// `option` must live as long as `line`.
-void add_rows_option(CLI::App& line, RowsOption& option, const std::string& help);
+/// `option` must live as long as `command`.
+void add_rows_option(Command& command, RowsOption& option, const std::string& help);
 
 /// The rows that the options ask for. Made before the scene is read, it finds what is wrong with them at once.
 class Rows {

@@ -13,6 +13,7 @@
 #include "cli/input/options.h"
 #include "cli/output/printable.h"
 #include "cli/output/stopwatch.h"
+#include "cli/output/usage.h"
 #include "csg/solid/parts.h"
 #include "csg/text/syntax/reader.h"
 
@@ -61,27 +62,31 @@ bool may_be_large(const std::string& path) {
 
 }  // namespace
 
-void add_scene_options(CLI::App& line, SceneOptions& options) {
+void add_scene_options(Command& command, SceneOptions& options) {
   using text::Facets;
-  line.add_option("scene", options.path, "The scene text (.csg); - reads standard input")
-      ->required()
-      ->type_name("")
-      ->option_text("SCENE");
-  add_choice(line, "--facets", options.facets, "Which curved solids become polyhedra: those with $fn <= 16, all, none",
-             {{"auto", Facets::automatic}, {"always", Facets::always}, {"never", Facets::never}});
-  line.add_option_function<std::string>(
-          "--weld", [&options](const std::string& text) { options.welding = parse_welding(text); },
-          "Faces at most this share of the scene's size apart are one (default: what rounding explains; 0: none)")
-      ->type_name("RELATIVE");
-  line.add_option("--part", options.parts, "Only the part of this name, as if it were all the scene holds; repeatable")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  line.add_option_function<std::string>(
-          "--threads",
-          [&options](const std::string& text) { options.threads = parse_count("--threads", text, 1, most_threads); },
-          "How many threads work (default: one a core)")
-      ->type_name("N");
-  line.add_flag("-q,--quiet", options.quiet, "No progress bar and no warnings");
+  command.operands.push_back(
+      {.name = "SCENE", .help = "The scene text (.csg); - is standard input", .take = into(options.path)});
+  command.add(choice<Facets>("--facets", options.facets,
+                             "Which round solids become polyhedra: those with $fn <= 16, all, none",
+                             {{"auto", Facets::automatic}, {"always", Facets::always}, {"never", Facets::never}}));
+  command.add({.names = "--weld",
+               .value = "RELATIVE",
+               .help = "Join faces that are at most this share of the scene's size apart; 0 joins none (default: those "
+                       "that only rounding keeps apart)",
+               .take = [&options](const std::string& text) { options.welding = parse_welding(text); }});
+  command.add({.names = "--part",
+               .value = "NAME",
+               .help = "Only the part of this name, as if the scene held nothing else; repeatable",
+               .take = into(options.parts),
+               .is_repeatable = true});
+  command.add({.names = "--threads",
+               .value = "N",
+               .help = "The number of threads (default: one a core)",
+               .take = [&options](const std::string& text) {
+                 options.threads = parse_count("--threads", text, 1, most_threads);
+               }});
+  command.add(
+      {.names = "-q,--quiet", .value = {}, .help = "No progress bar and no warnings", .take = into(options.quiet)});
 }
 
 DocumentInput read_document(const SceneOptions& options) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <string>
 #include <vector>
 
+#include "cli/input/command.h"
 #include "cli/output/progress_bar.h"
 #include "csg/solid/scene_description.h"
 #include "csg/text/statement/builder.h"
@@ -26,9 +25,8 @@ struct SceneOptions {
   ProgressBar::Show progress() const { return quiet ? ProgressBar::Show::never : ProgressBar::Show::if_terminal; }
 };
 
-/// Adds the scene's place on the command line, --facets, --weld, --part, --threads and --quiet. `options` must live as
-/// long as `line`.
-void add_scene_options(CLI::App& line, SceneOptions& options);
+/// Adds the scene, --facets, --weld, --part, --threads and --quiet. `options` must live as long as `command`.
+void add_scene_options(Command& command, SceneOptions& options);
 
 /// A scene ready to be asked, and how long that took.
 struct SceneInput {

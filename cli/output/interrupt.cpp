@@ -3,12 +3,14 @@
 
 #include <csignal>
 
+#include "cli/output/progress_bar.h"
 #include "csg/base/whole_file.h"
 
 namespace csgcast::cli {
 namespace {
 
 extern "C" void remove_and_die(int signal_number) {
+  ProgressBar::erase_drawn();
   remove_unfinished_files();
   static_cast<void>(std::signal(signal_number, SIG_DFL));
   static_cast<void>(std::raise(signal_number));

@@ -246,7 +246,8 @@ TEST_CASE("where to look must be said once, and make sense") {
   CHECK(error({"--ray", "0,0,9,0,0,-1", "--rays", "x"}) ==
         "csgcast: error: exactly one of --ray and --rays is needed" + hint);
   CHECK(error({"--ray", "1,2,3"}) == "csgcast: error: --ray needs 6 numbers separated by commas, not 3" + hint);
-  CHECK(error({"--ray", "0,0,9,0,0,-1", "--line", "--tmin", "1"}) == "csgcast: error: --line excludes --tmin" + hint);
+  CHECK(error({"--ray", "0,0,9,0,0,-1", "--line", "--tmin", "1"}) ==
+        "csgcast: error: --tmin cannot be given beside --line" + hint);
   CHECK(error({"--ray", "0,0,9,0,0,-1", "--tmin", "3", "--tmax", "3"}) ==
         "csgcast: error: no ray is left between t = 3 and t = 3" + hint);
   CHECK(error({"--ray", "0,0,9,0,0,-1", "--tmin", "nan"}) ==

@@ -57,10 +57,11 @@ struct Pipe {
   }
   ::alarm(patience_seconds);
   if (::chdir(folder.root().c_str()) != 0) ::_exit(127);
-  std::vector<char*> argv{const_cast<char*>("csgcast")};
+  const std::string& program = options.program.empty() ? std::string(CSGCAST_PROGRAM) : options.program;
+  std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  ::execv(CSGCAST_PROGRAM, argv.data());
+  ::execv(program.c_str(), argv.data());
   ::_exit(127);
 }
 

@@ -40,6 +40,7 @@ struct Outcome {
 
 struct RunOptions {
   std::string input;                          ///< standard input
+  std::string program{};                      ///< the program to run; empty: csgcast
   std::optional<std::uint64_t> largest_file;  ///< bytes; a write beyond fails as on a full disk
   bool reader_goes_away = false;              ///< standard output is closed after its first bytes
   std::string standard_output;                ///< a file to be standard output instead of `out`

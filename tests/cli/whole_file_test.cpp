@@ -32,7 +32,7 @@ std::vector<Arguments> writers() {
           {"section", "scene.csg", "--plane", "0,0,1,0.5", "-o", "out.svg"},
           {"section", "scene.csg", "--plane", "0,0,1,0.5", "-o", "out.json"},
           {"section", "scene.csg", "--plane", "0,0,1,0.5", "--size", "8", "-o", "out.png"},
-          {"thickness", "scene.csg", "--samples", "4", "--size", "8x6", "-o", "out.png"},
+          {"thickness", "scene.csg", "--grid", "4", "--size", "8x6", "-o", "out.png"},
           {"check", "scene.csg", "-o", "out.txt"},
           {"info", "scene.csg", "-o", "out.txt"},
           {"verify", "scene.csg", "--rays", "10", "-o", "out.txt"}};

@@ -44,8 +44,8 @@ FOLDERS = MODULES + ["tests", "examples"]
 FLOORS = [
     ["csg/base", "raycast/simd", "shade/light", "measure/sheet", "cli/output"],
     ["csg/exact", "raycast/line", "shade/film", "measure/search", "measure/section", "cli/input"],
-    ["csg/solid", "raycast/surface", "shade/picture", "shade/trace", "cli/command"],
-    ["csg/text/syntax", "raycast/weld"],
+    ["csg/solid", "raycast/surface", "shade/picture", "shade/trace", "cli/manual"],
+    ["csg/text/syntax", "raycast/weld", "cli/command"],
     ["csg/text/statement", "raycast/scene"],
     ["raycast/ray", "raycast/cells/formula"],
     ["raycast/cells/build"],
