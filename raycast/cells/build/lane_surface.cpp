@@ -67,6 +67,9 @@ double unevenness(const Surface::Coefficients& k, double square, std::array<doub
   return sum / std::fabs(square);
 }
 
+// What coordinates are off counts for more than the radius of a smaller sphere: docs/accuracy.md, "Lanes".
+constexpr double tiny_radius = 0x1p-45;
+
 LaneSurface sphere(const Surface& surface) {
   const auto& k = surface.local;
   LaneSurface lane;
@@ -81,9 +84,9 @@ LaneSurface sphere(const Surface& surface) {
   const double reach = radius + longest(to_center);
   const double uneven = unevenness(k, a, {1, 1, 1});
   // Without the first condition a cone could pass for a tiny sphere.
-  if (uneven > 64 * u || uneven * 3 * reach * reach > 64 * u * radius) return lane;
+  if (uneven > 64 * u || uneven * 3 * reach * reach > 64 * u * (radius + tiny_radius)) return lane;
   lane.kind = LaneSurface::Kind::sphere;
-  const double least = std::fmax(0x1p-16 * radius_squared, 0x1p-43 * std::sqrt(radius_squared));
+  const double least = std::fmax(0x1p-16 * radius_squared, 0x1p-43 * radius) + tiny_radius * tiny_radius;
   lane.c = {center.x, center.y, center.z, radius_squared, least, a > 0 ? 1.0 : -1.0};
   return lane;
 }

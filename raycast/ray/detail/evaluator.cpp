@@ -167,9 +167,10 @@ void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list)
     leaf.function->intervals(scene_.half_spaces(leaf), cache_, reach, list, of_function_);
   }
   // Crossings of a local surface outside the frame's cube may be missing (predicates.h). The intervals that this makes
-  // wrong lie outside the leaf's box.
+  // wrong lie outside the leaf's box: exactly, as the bound on a crossing's t may be wider than the box, where the other
+  // crossing of a nearly flat quadric is very far away.
   std::erase_if(list, [&](const Interval& interval) {
-    return cache_.earliest(interval.entry) > reach.to || cache_.latest(interval.exit) < reach.from;
+    return cache_.order(interval.entry, reach.to) > 0 || cache_.order(interval.exit, reach.from) < 0;
   });
 }
 
