@@ -253,7 +253,10 @@ std::optional<Ray> AdversarialRays::base(Random& random) {
 void AdversarialRays::from_far_away(Random& random) {
   const std::optional<Ray> ray = base(random);
   if (!ray) return;
-  const double distance = places_.size() / random.power_of_tenth(3, 12);
+  // Up to 2^300 sizes; from beyond 2^50 hardly a ray still meets what it aims at.
+  const double far =
+      random.index(4) == 0 ? std::ldexp(1, static_cast<int>(random.index(301))) : 1 / random.power_of_tenth(3, 12);
+  const double distance = places_.size() * far;
   add(ray->origin() - distance * normalised(ray->direction()), ray->direction());
 }
 
@@ -271,7 +274,7 @@ void AdversarialRays::scaled(Random& random) {
   const std::optional<Ray> ray = base(random);
   if (!ray) return;
   const double factor = random.index(2) == 0 ? 1 : random.number(0.1, 10);
-  add(ray->origin(), std::ldexp(factor, static_cast<int>(random.index(201)) - 100) * ray->direction());
+  add(ray->origin(), std::ldexp(factor, static_cast<int>(random.index(601)) - 300) * ray->direction());
 }
 
 }  // namespace csgcast::verify

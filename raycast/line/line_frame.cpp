@@ -45,6 +45,7 @@ LineFrame::LineFrame(const Ray& ray, const Frame& frame) {
   // u² M covers them. Scaling into the frame may underflow, which costs less than 2^-1000.
   near_low_error = 0x8p-106 * (longest(high) + 2 * std::fabs(shift)) + 0x1p-1000;
   near_error = 0x1p-53 * longest(near) + near_low_error;
+  knows_cube = near_low_error <= 0x1p-4;
 }
 
 }  // namespace csgcast

@@ -17,6 +17,9 @@ struct LineFrame {
   Vector near_low;
   Vector direction;
   bool in_range = true;  ///< false if scaling the direction underflowed: then the doubles decide nothing
+  /// False if `near` is off by so much that it does not tell where the line passes the frame's unit cube. Then the
+  /// exact stage decides about surfaces that matter within the cube alone.
+  bool knows_cube = true;
   double near_error = 0;
   double near_low_error = 0;
   double shift = 0;

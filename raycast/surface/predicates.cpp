@@ -38,6 +38,11 @@ std::strong_ordering exact_order_with(const Line& line, const CrossingView& a, d
   return a.surface->kind->exact_root(line, a) <=> detail::ExactRoot(Dyadic(t));
 }
 
+std::strong_ordering exact_order_in_frame(const Line& line, const CrossingView& a, double tau) {
+  const Dyadic t = (Dyadic(line.in_frame.shift) + Dyadic(tau)).scaled(std::ilogb(line.in_frame.unit));
+  return a.surface->kind->exact_root(line, a) <=> detail::ExactRoot(t);
+}
+
 std::weak_ordering certified_order(const Line& line, const CrossingView& a, const CrossingView& b, ExactCalls& calls) {
   if (a.id == b.id) return a.root <=> b.root;
   const double gap = a.tau() - b.tau();
@@ -63,6 +68,13 @@ std::weak_ordering certified_order_with(const Line& line, const CrossingView& a,
   return exact_order_with(line, a, t);
 }
 
+std::weak_ordering certified_order_in_frame(const Line& line, const CrossingView& a, double tau, ExactCalls& calls) {
+  const double gap = a.tau() - tau;
+  if (std::fabs(gap) > 2 * a.found->error) return by_value(gap);
+  ++calls.order;
+  return exact_order_in_frame(line, a, tau);
+}
+
 double certified_t(const Line& line, const CrossingView& crossing, ExactCalls& calls) {
   if (const std::optional<double> t = crossing.surface->kind->nearest_t(line, crossing)) return *t;
   ++calls.rounding;
@@ -86,6 +98,11 @@ std::weak_ordering always_exact_order_with(const Line& line, const CrossingView&
   return exact_order_with(line, a, t);
 }
 
+std::weak_ordering always_exact_order_in_frame(const Line& line, const CrossingView& a, double tau, ExactCalls& calls) {
+  ++calls.order;
+  return exact_order_in_frame(line, a, tau);
+}
+
 double always_exact_t(const Line& line, const CrossingView& crossing, ExactCalls& calls) {
   ++calls.rounding;
   return crossing.surface->kind->exact_nearest_t(line, crossing);
@@ -104,6 +121,10 @@ std::weak_ordering uncertified_order_with(const Line& line, const CrossingView& 
   return std::isinf(t) ? order_with_infinity(t) : by_value(a.tau() - tau_of(line, t));
 }
 
+std::weak_ordering uncertified_order_in_frame(const Line&, const CrossingView& a, double tau, ExactCalls&) {
+  return by_value(a.tau() - tau);
+}
+
 double uncertified_t(const Line& line, const CrossingView& crossing, ExactCalls&) {
   return line.in_frame.t(crossing.tau());
 }
@@ -113,18 +134,20 @@ double uncertified_t(const Line& line, const CrossingView& crossing, ExactCalls&
 int sign_at(const Surface& surface, Point p) { return surface.kind->sign_at(surface, p); }
 
 const Predicates& certified_predicates() {
-  static constexpr Predicates table{certified_crossings, certified_order, certified_order_with, certified_t};
+  static constexpr Predicates table{certified_crossings, certified_order, certified_order_with,
+                                    certified_order_in_frame, certified_t};
   return table;
 }
 
 const Predicates& exact_predicates() {
   static constexpr Predicates table{always_exact_crossings, always_exact_order, always_exact_order_with,
-                                    always_exact_t};
+                                    always_exact_order_in_frame, always_exact_t};
   return table;
 }
 
 const Predicates& uncertified_predicates() {
-  static constexpr Predicates table{uncertified_crossings, uncertified_order, uncertified_order_with, uncertified_t};
+  static constexpr Predicates table{uncertified_crossings, uncertified_order, uncertified_order_with,
+                                    uncertified_order_in_frame, uncertified_t};
   return table;
 }
 

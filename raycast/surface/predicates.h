@@ -22,6 +22,8 @@ struct Predicates {
   std::weak_ordering (*order)(const Line& line, const CrossingView& a, const CrossingView& b, ExactCalls& calls);
   /// Whether a crossing comes before, at or after t (infinities allowed).
   std::weak_ordering (*order_with)(const Line& line, const CrossingView& a, double t, ExactCalls& calls);
+  /// Whether a crossing comes before, at or after a finite tau of the line's frame.
+  std::weak_ordering (*order_in_frame)(const Line& line, const CrossingView& a, double tau, ExactCalls& calls);
   /// The t to report.
   double (*reported_t)(const Line& line, const CrossingView& crossing, ExactCalls& calls);
 };

@@ -17,6 +17,8 @@ std::vector<Family> curved_families();
 std::vector<Family> quadric_families();
 /// Places far away, units far from 1, sizes far apart.
 std::vector<Family> scale_families();
+/// Sizes, distances and coefficients that are up to 2^300 apart.
+std::vector<Family> extreme_families();
 /// Trees: deep, random, and rays bisected onto their edges and silhouettes.
 std::vector<Family> tree_families();
 

@@ -67,7 +67,7 @@ void Evaluator::enter(NodeId id, Span span, Want want) {
   }
   if (node.op == Node::Op::leaf) {
     ++leaf_tests_;
-    leaf_intervals(scene_.leaf(LeafId(node.first)), reach, push_list());
+    leaf_intervals(scene_.leaf(LeafId(node.first)), node.box.is_finite(), reach, push_list());
     return deliver();
   }
   open_.push_back({&node, 0, span, want});
@@ -160,18 +160,15 @@ void Evaluator::conjunction_intervals(const Leaf& leaf, IntervalList& list) {
   }
 }
 
-void Evaluator::leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list) {
+void Evaluator::leaf_intervals(const Leaf& leaf, bool is_bounded, Span reach, IntervalList& list) {
   if (leaf.function == nullptr) {
     conjunction_intervals(leaf, list);
   } else {
     leaf.function->intervals(scene_.half_spaces(leaf), cache_, reach, list, of_function_);
   }
-  // Crossings of a local surface outside the frame's cube may be missing (predicates.h). The intervals that this makes
-  // wrong lie outside the leaf's box: exactly, as the bound on a crossing's t may be wider than the box, where the other
-  // crossing of a nearly flat quadric is very far away.
-  std::erase_if(list, [&](const Interval& interval) {
-    return cache_.order(interval.entry, reach.to) > 0 || cache_.order(interval.exit, reach.from) < 0;
-  });
+  // Crossings of a local surface outside the frame's cube may be missing (line_crossings.h). The intervals that this
+  // makes wrong lie outside the cube.
+  if (is_bounded) cache_.keep_within_cube(list);
 }
 
 }  // namespace csgcast::detail

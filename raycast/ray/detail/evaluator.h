@@ -51,7 +51,7 @@ class Evaluator {
   bool decided(const OpenNode& open);
   void merge_into_parent(const OpenNode& parent);
   std::optional<Interval> run_inside_planes(const Leaf& leaf);
-  void leaf_intervals(const Leaf& leaf, Span reach, IntervalList& list);
+  void leaf_intervals(const Leaf& leaf, bool is_bounded, Span reach, IntervalList& list);
   void conjunction_intervals(const Leaf& leaf, IntervalList& list);
   IntervalList& push_list();
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/ray/detail/line_cache.h"
 
+#include <algorithm>
+
+#include "csg/base/length.h"
 #include "csg/base/precondition.h"
 
 namespace csgcast::detail {
@@ -65,6 +68,23 @@ std::weak_ordering LineCache::order(const Crossing& a, double t) {
     return a.t < t ? std::weak_ordering::less : a.t > t ? std::weak_ordering::greater : std::weak_ordering::equivalent;
   }
   return predicates_.order_with(line_, view(a), t, exact_calls_);
+}
+
+// With knows_cube, tau of the closest approach to the frame's center is off by less than 1/4, and so is each coordinate
+// of the place there. The cube's corners are less than 0.87 from its center, and so is the way to them in tau.
+void LineCache::keep_within_cube(IntervalList& list) {
+  const LineFrame& line = line_.in_frame;
+  if (!line.knows_cube || list.empty()) return;
+  constexpr double far = 2;
+  const double approach = -dot(line.near, line.direction) * line.inverse_squared;
+  if (!(longest(line.near + approach * line.direction) <= far)) return list.clear();
+  const auto order = [&](const Crossing& at, double tau) {
+    if (!at.surface.valid()) return at.t < 0 ? std::weak_ordering::less : std::weak_ordering::greater;  // infinite
+    return predicates_.order_in_frame(line_, view(at), tau, exact_calls_);
+  };
+  std::erase_if(list, [&](const Interval& interval) {
+    return order(interval.entry, approach + far) > 0 || order(interval.exit, approach - far) < 0;
+  });
 }
 
 LineCache::Rank LineCache::rank(SurfaceId id, const Crossing& at) {

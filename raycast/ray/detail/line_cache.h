@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "raycast/line/crossing.h"
+#include "raycast/line/interval_list.h"
 #include "raycast/scene/leaf_function.h"
 #include "raycast/scene/scene.h"
 #include "raycast/surface/predicates.h"
@@ -60,6 +61,8 @@ class LineCache final : public LeafLine {
   std::weak_ordering order(const Crossing& a, const Crossing& b) override;
   /// Orders a crossing and a number, which may be infinite.
   std::weak_ordering order(const Crossing& a, double t);
+  /// Cuts intervals that lie wholly outside the frame's unit cube out of a list.
+  void keep_within_cube(IntervalList& list);
   /// How many crossings of the surface come before `at`, and whether the next one ties with it.
   struct Rank {
     std::uint8_t before = 0;

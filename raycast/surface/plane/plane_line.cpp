@@ -59,7 +59,7 @@ std::optional<LineCrossings> crossings(const LineFrame& line, const Surface& pla
   if (is_parallel(line, plane) && value.is_certain()) return none(value.value > 0);
   // The line is nearly parallel: a crossing, if there is one, lies out of reach.
   const double farthest = (reach + 2 * size) * slope.most() * rounding_of_bounds;
-  if (plane.is_local && value.least() > farthest) return none(value.value > 0);
+  if (plane.is_local && line.knows_cube && value.least() > farthest) return none(value.value > 0);
   return std::nullopt;
 }
 

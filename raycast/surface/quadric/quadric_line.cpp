@@ -77,14 +77,15 @@ Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
 }
 
 // What happens to a local surface within reach, if nothing does: |a| s² + 2 |b| s stays below |c|.
-std::optional<LineCrossings> none_within_reach(const Quadratic& f, const Surface& surface) {
+std::optional<LineCrossings> none_within_reach(const LineFrame& line, const Quadratic& f, const Surface& surface) {
   const double most = (f.a.most() * reach + 2 * f.b.most()) * reach * rounding_of_bounds;
-  if (!surface.is_local || !(f.c.least() > most)) return std::nullopt;
+  if (!surface.is_local || !line.knows_cube || !(f.c.least() > most)) return std::nullopt;
   return none(f.c.value > 0);
 }
 
 // Two roots for certain: (-b ± root) / a.
-std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surface, Bounded discriminant) {
+std::optional<LineCrossings> two_roots(const LineFrame& line, const Quadratic& f, const Surface& surface,
+                                       Bounded discriminant) {
   const double root = std::sqrt(discriminant.value);
   // |sqrt(D) - sqrt(D')| <= |D - D'| / sqrt(D) for D' >= 0.
   const double root_error = discriminant.error / root + unit_roundoff * root;
@@ -112,8 +113,8 @@ std::optional<LineCrossings> two_roots(const Quadratic& f, const Surface& surfac
     return found;
   }
   // The sign of a is open: the far root is at least this far out, on one side or the other.
-  if (!surface.is_local || !((std::fabs(sum) - sum_error) > reach * f.a.most() * rounding_of_bounds))
-    return std::nullopt;
+  const bool far_is_out = (std::fabs(sum) - sum_error) > reach * f.a.most() * rounding_of_bounds;
+  if (!surface.is_local || !line.knows_cube || !far_is_out) return std::nullopt;
   found.few[0] = f.origin + at_near;
   found.error = (near_error + 2 * unit_roundoff * (std::fabs(at_near) + std::fabs(f.origin))) * rounding_of_bounds;
   found.count = 1;
@@ -131,12 +132,12 @@ std::optional<LineCrossings> crossings(const LineFrame& line, const Surface& qua
                          3 * unit_roundoff * (bb + std::fabs(ac));
   const Bounded discriminant{bb - ac, d_error * rounding_of_bounds};
   if (discriminant.is_certain()) {
-    if (discriminant.value > 0) return two_roots(f, quadric, discriminant);
+    if (discriminant.value > 0) return two_roots(line, f, quadric, discriminant);
     // a and c have one sign, and neither is zero: either tells.
     if (f.a.is_certain()) return none(f.a.value > 0);
     if (f.c.is_certain()) return none(f.c.value > 0);
   }
-  return none_within_reach(f, quadric);
+  return none_within_reach(line, f, quadric);
 }
 
 std::optional<LineCrossings> after_departure(const Line& line, const Surface& surface) {
