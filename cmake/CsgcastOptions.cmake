@@ -16,19 +16,27 @@ endif()
 if(CMAKE_SYSTEM_NAME STREQUAL Linux)
   target_link_options(csgcast_options INTERFACE LINKER:--as-needed)
 endif()
+# Where programs look for the modules that they load: in the build tree, and where they are installed.
+set(module_folder ${CMAKE_INSTALL_FULL_LIBDIR}/csgcast)
+set(CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR}/modules)
+set(CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR}/csgcast)
 if(BUILD_SHARED_LIBS)
-  set(CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR} $ORIGIN)
+  list(APPEND CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR} $ORIGIN $ORIGIN/csgcast)
 endif()
 
-# csgcast_library(NAME PUBLIC_HEADERS HEADER.. [BASE_FOLDER FOLDER]): csgcast_NAME from the sources of the present folder,
+# csgcast_library(NAME PUBLIC_HEADERS HEADER.. [BASE_FOLDER FOLDER] [EXCLUDE FOLDER]): csgcast_NAME from the sources of the
+# present folder, but for those below EXCLUDE,
 # alias csgcast::NAME. The headers that it lists are the ones that are installed; the paths of their includes start at
 # BASE_FOLDER, by default the project's.
 function(csgcast_library name)
-  cmake_parse_arguments(arg "" "BASE_FOLDER" "PUBLIC_HEADERS" ${ARGN})
+  cmake_parse_arguments(arg "" "BASE_FOLDER;EXCLUDE" "PUBLIC_HEADERS" ${ARGN})
   if(NOT arg_BASE_FOLDER)
     set(arg_BASE_FOLDER ${PROJECT_SOURCE_DIR})
   endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(arg_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX ${CMAKE_CURRENT_SOURCE_DIR}/${arg_EXCLUDE})
+  endif()
   add_library(csgcast_${name} ${sources})
   add_library(csgcast::${name} ALIAS csgcast_${name})
   set_target_properties(csgcast_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON

@@ -74,6 +74,11 @@ std::string light_line(const LightDescription& light) {
   return light.falloff ? fmt::format("{}  falloff {}", text, number(*light.falloff)) : text;
 }
 
+std::string background_line(const SceneDescription& description) {
+  if (description.background_image) return "image " + printable(description.background_image->path);
+  return description.background ? coordinates(*description.background) : "default";
+}
+
 std::string as_text(const Info& info) {
   const Scene& scene = info.input.scene;
   const SceneDescription& description = info.input.description;
@@ -105,7 +110,7 @@ std::string as_text(const Info& info) {
              description.lights.empty() ? "none (a default one is beside the camera)"
                                         : fmt::format("{}", description.lights.size()));
   for (const LightDescription& light : description.lights) append_row(out, "", light_line(light));
-  append_row(out, "background", description.background ? coordinates(*description.background) : "default");
+  append_row(out, "background", background_line(description));
   append_row(out, "settings",
              fmt::format("max_depth {}, min_contribution {}", description.settings.max_depth,
                          number(description.settings.min_contribution)));
@@ -164,6 +169,7 @@ void json_environment(Json& json, const SceneDescription& description) {
   json_lights(json, description.lights);
   json.key("background");
   description.background ? json.value(*description.background) : json.null();
+  if (description.background_image) json.member("background_image", description.background_image->path);
   json.key("settings").begin_object(Json::Layout::compact);
   json.member("max_depth", std::uint64_t(description.settings.max_depth));
   json.member("min_contribution", description.settings.min_contribution).end_object();

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/command/commands.h"
@@ -14,11 +17,14 @@
 #include "cli/input/options.h"
 #include "cli/input/scene_input.h"
 #include "cli/output/output.h"
+#include "cli/output/printable.h"
 #include "cli/output/render_stats.h"
 #include "cli/output/stopwatch.h"
 #include "cli/output/usage.h"
+#include "csg/base/number_text.h"
 #include "raycast/packets/threads.h"
 #include "shade/picture/image_file.h"
+#include "shade/trace/channels.h"
 
 namespace csgcast::cli {
 namespace {
@@ -32,6 +38,9 @@ struct RenderCommandOptions {
   std::string size = "800x600";
   std::optional<std::string> samples;
   bool adaptive = false;
+  bool alpha = false;
+  std::optional<std::string> bits;
+  std::string channels;
   std::string camera;
   std::string trace_pixel;
   std::string output;
@@ -43,9 +52,45 @@ bool takes_samples(Mode mode) { return mode == Mode::shaded || mode == Mode::edg
 /// The options, checked as far as they can be before the scene is read.
 struct Job {
   RenderOptions render;
-  std::optional<CameraDescription> camera;
-  std::optional<std::pair<int, int>> pixel;
+  PictureOptions picture{};
+  bool has_color = true;
+  bool has_alpha = false;
+  std::vector<Channel> channels{};  ///< none: a plain picture
+  std::optional<CameraDescription> camera{};
+  std::optional<std::pair<int, int>> pixel{};
 };
+
+/// The channels that --channels names, in its order; color and alpha apart.
+void read_channels(const std::string& names, Job& job) {
+  using enum Channel;
+  constexpr std::array<std::pair<std::string_view, Channel>, 6> known{
+      {{"depth", depth}, {"normal", normal}, {"position", position}, {"id", id}, {"part", part}, {"leaf", leaf}}};
+  job.has_color = false;
+  std::string_view rest = names;
+  while (true) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view name = trimmed(rest.substr(0, comma));
+    const auto found = std::find_if(known.begin(), known.end(), [&](const auto& row) { return row.first == name; });
+    bool is_new = true;
+    if (name == "color") {
+      is_new = !std::exchange(job.has_color, true);
+    } else if (name == "alpha") {
+      is_new = !std::exchange(job.has_alpha, true);
+    } else if (found == known.end()) {
+      throw UsageError(
+          fmt::format("--channels: {} is unknown (known are color, alpha, depth, normal, position, id, part, leaf)",
+                      in_quotes(name)));
+    } else {
+      is_new = std::find(job.channels.begin(), job.channels.end(), found->second) == job.channels.end();
+      job.channels.push_back(found->second);
+    }
+    if (!is_new) throw UsageError(fmt::format("--channels: {} is given more than once", in_quotes(name)));
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (job.has_alpha && !job.has_color)
+    throw UsageError("--channels: alpha needs color (it says how much of it there is)");
+}
 
 std::uint64_t memory_available() {
   const long pages = ::sysconf(_SC_PHYS_PAGES);
@@ -93,11 +138,32 @@ Sampling adaptive_sampling(const RenderOptions& options) {
   return Sampling::adaptive;
 }
 
+void check_channels(const RenderCommandOptions& options, const Job& job) {
+  const char* given = options.alpha               ? "--alpha"
+                      : !options.channels.empty() ? "--channels"
+                      : options.bits              ? "--bits"
+                                                  : nullptr;
+  if (given == nullptr) return;
+  if (options.output.empty()) throw UsageError(fmt::format("{} needs -o (it is about the picture)", given));
+  if (job.has_alpha && job.render.mode != Mode::shaded)
+    throw UsageError("alpha needs --mode shaded (it is the share of a pixel's light that comes from the solid)");
+  if (job.has_alpha && options.adaptive) throw UsageError("alpha cannot be given beside --adaptive");
+  if (options.channels.empty()) return;
+  if (!holds_layers(picture_name(options.output)))
+    throw UsageError("--channels needs -o with an .exr (other pictures hold no channels by name)");
+  if (!job.has_color && (options.samples || options.render.mode != Mode::shaded))
+    throw UsageError("--samples and --mode have no effect without the channel color");
+}
+
 Job check(const RenderCommandOptions& options) {
-  Job job{options.render, {}, {}};
+  Job job{.render = options.render};
   std::tie(job.render.width, job.render.height) = parse_pair("--size", options.size, 'x', 1, largest_side);
   if (options.samples) job.render.samples = parse_samples(options);
   if (options.adaptive) job.render.sampling = adaptive_sampling(job.render);
+  if (options.bits) job.picture.bits = parse_count("--bits", *options.bits, 8, 32);
+  job.has_alpha = options.alpha;
+  if (!options.channels.empty()) read_channels(options.channels, job);
+  check_channels(options, job);
   check_film_memory(job.render);
   if (!options.camera.empty()) job.camera = camera_from_numbers(parse_numbers("--camera", options.camera));
   if (!options.trace_pixel.empty()) {
@@ -117,7 +183,7 @@ Job check(const RenderCommandOptions& options) {
     if (!options.stats.empty()) throw UsageError("--stats needs -o (there is no picture to count rays of)");
     return job;
   }
-  check_image_path(picture_name(options.output));
+  check_image_path(picture_name(options.output), job.picture);
   return job;
 }
 
@@ -131,15 +197,48 @@ struct PictureFiles {
   std::optional<Output> stats;
 };
 
+/// What a picture's file says of itself.
+std::vector<std::pair<std::string, std::string>> notes(const RenderCommandOptions& options, const View& view) {
+  const auto numbers = [](const auto& p) { return fmt::format("{}, {}, {}", number(p.x), number(p.y), number(p.z)); };
+  const CameraDescription& camera = view.camera;
+  const std::string lens = camera.height ? fmt::format("parallel, height {}", number(*camera.height))
+                                         : fmt::format("field of view {}", number(camera.fov));
+  return {{"Scene", printable(std::filesystem::path(options.scene.path).filename().string())},
+          {"Camera", fmt::format("eye {}  look at {}  up {}  {}", numbers(camera.eye), numbers(camera.look_at),
+                                 numbers(camera.up), lens)}};
+}
+
+std::vector<NamedChannels> layers(const Job& job, const std::optional<Film>& color, const std::vector<Film>& films) {
+  std::vector<NamedChannels> layers;
+  if (color) {
+    const int count = channels(color->content());
+    const std::vector<std::string> names = count == 1   ? std::vector<std::string>{"Y"}
+                                           : count == 3 ? std::vector<std::string>{"R", "G", "B"}
+                                                        : std::vector<std::string>{"R", "G", "B", "A"};
+    layers.push_back({&*color, names});
+  }
+  for (std::size_t i = 0; i < films.size(); ++i) layers.push_back({&films[i], names_in_file(job.channels[i])});
+  return layers;
+}
+
 void render_picture(const RenderCommandOptions& options, Job& job, const SceneInput& input, const View& view,
                     PictureFiles& files) {
   RenderReport report;
   std::optional<ProgressBar> bar(std::in_place, "render", options.scene.progress());
   job.render.progress = bar->callback();
-  const Film film = render(input.scene, view, job.render, &report);
+  std::optional<Film> color;
+  if (job.has_color) {
+    color = job.has_alpha ? render_with_alpha(input.scene, view, job.render, &report)
+                          : render(input.scene, view, job.render, &report);
+  }
+  std::vector<Film> films;
+  if (!job.channels.empty()) films = channel_films(input.scene, view, job.render, job.channels);
   bar.reset();
   const Stopwatch write_watch;
-  files.picture.write(image_bytes(film, picture_name(options.output)));
+  const PictureOptions picture{job.picture.bits, notes(options, view)};
+  const std::string name = picture_name(options.output);
+  files.picture.write(options.channels.empty() ? image_bytes(*color, name, picture)
+                                               : layer_bytes(layers(job, color, films), name, picture));
   files.picture.commit();
   if (!files.stats) return;
   files.stats->write(render_stats(
@@ -168,11 +267,14 @@ void run(const RenderCommandOptions& options) {
 Command render_command() {
   auto options = std::make_shared<RenderCommandOptions>();
   Command command{.name = "render", .summary = "Make a picture"};
-  command.add({.names = "-o,--output",
-               .value = "FILE",
-               .help = "The picture to write: .png, .jpg, .tif (8 bits) or .exr (floats); - is standard output, as PNG",
-               .take = into(options->output),
-               .completes = Completes::files});
+  command.add(
+      {.names = "-o,--output",
+       .value = "FILE",
+       .help =
+           "The picture to write. Its ending tells its kind: .png, .jpg, .tif, .webp, .exr (floats) and others; - is "
+           "standard output, as PNG",
+       .take = into(options->output),
+       .completes = Completes::files});
   command.add({.names = "--size",
                .value = "WxH",
                .help = "Width and height in pixels",
@@ -198,6 +300,22 @@ Command render_command() {
                             {"depth", Mode::depth},
                             {"normal", Mode::normal},
                             {"id", Mode::id}}));
+  command.add({.names = "--bits",
+               .value = "8|16|32",
+               .help = "Bits of a number in the file, 32 for floats (default: what is usual for its kind)",
+               .take = into(options->bits),
+               .words = {"8", "16", "32"}});
+  command.add(
+      {.names = "--alpha",
+       .value = {},
+       .help = "Leave the background transparent: a fourth channel has the share of each pixel that shows the solid",
+       .take = into(options->alpha),
+       .conflicts = {"--channels"}});
+  command.add(
+      {.names = "--channels",
+       .value = "NAMES",
+       .help = "Several of color, alpha, depth, normal, position, id, part and leaf, separated by commas, in one .exr",
+       .take = into(options->channels)});
   command.add({.names = "--stats",
                .value = "FILE.json",
                .help = "Count rays and tests, and time each stage, into this file; - is standard output",

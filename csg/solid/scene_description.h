@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -37,12 +38,19 @@ struct RenderSettings {
   double min_contribution = 1.0 / 512;
 };
 
+/// A picture of all that is seen beyond the solid, by longitude and latitude: shade/light/environment.h.
+struct BackgroundImage {
+  std::string path;
+  Place place{};  ///< the statement that names it
+};
+
 /// All that a scene text says.
 struct SceneDescription {
   Solid solid;
   std::optional<CameraDescription> camera;
   std::vector<LightDescription> lights;
   std::optional<Rgb> background;
+  std::optional<BackgroundImage> background_image;  ///< if there is one, there is no background colour
   RenderSettings settings;
   std::vector<Warning> warnings;
 };

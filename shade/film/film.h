@@ -13,8 +13,10 @@ namespace csgcast {
 
 /// What the numbers of a film mean, which decides how an image file holds them.
 enum class FilmContent : std::uint8_t {
-  color,   ///< linear light; sRGB in 8 bits
-  normal,  ///< 0.5 + 0.5 n for unit normals n, 0 where there is nothing; as it is in 8 bits
+  color,        ///< linear light; sRGB in 8 and 16 bits
+  color_alpha,  ///< linear light times alpha, and alpha: the share of the pixel that shows the solid
+  position,     ///< places in the scene, not a number where there is nothing
+  normal,       ///< 0.5 + 0.5 n for unit normals n, 0 where there is nothing; as it is in 8 bits
   depth,   ///< lengths, infinite where there is nothing; in 8 bits the nearest is white, the farthest dark, nothing
            ///< black
   length,  ///< lengths, 0 where there is nothing; in 8 bits the longest finite one is white, and so are infinite ones
@@ -23,7 +25,19 @@ enum class FilmContent : std::uint8_t {
 };
 
 constexpr int channels(FilmContent content) {
-  return content == FilmContent::color || content == FilmContent::normal ? 3 : 1;
+  switch (content) {
+    case FilmContent::color:
+    case FilmContent::normal:
+    case FilmContent::position:
+      return 3;
+    case FilmContent::color_alpha:
+      return 4;
+    case FilmContent::depth:
+    case FilmContent::length:
+    case FilmContent::id:
+      break;
+  }
+  return 1;
 }
 
 /// A picture in memory: rows from the top, pixels from the left, `channels(content)` floats a pixel.
@@ -34,7 +48,8 @@ class Film {
       : width_(width),
         height_(height),
         content_(content),
-        values_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels(content)) {
+        channels_(static_cast<std::size_t>(channels(content))),
+        values_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels_) {
     CSGCAST_PRECONDITION(width > 0 && height > 0);
   }
 
@@ -49,7 +64,7 @@ class Film {
   void set(int x, int y, Rgb color) { set(x, y, std::span<const Rgb>(&color, 1)); }
   /// Pixels of one row, from x on. Precondition: three channels, and they are within the row.
   void set(int x, int y, std::span<const Rgb> colors) {
-    CSGCAST_PRECONDITION(channels(content_) == 3 && x >= 0 && y >= 0 && y < height_ &&
+    CSGCAST_PRECONDITION(channels_ == 3 && x >= 0 && y >= 0 && y < height_ &&
                          static_cast<std::size_t>(x) + colors.size() <= static_cast<std::size_t>(width_));
     auto* to = &values_[index(x, y)];
     for (const Rgb& color : colors) {
@@ -62,13 +77,13 @@ class Film {
 
  private:
   std::size_t index(int x, int y) const {
-    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) *
-           channels(content_);
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) * channels_;
   }
 
   int width_;
   int height_;
   FilmContent content_;
+  std::size_t channels_;
   std::vector<float> values_;
 };
 

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <utility>
 
 #include "csg/base/error.h"
 #include "csg/base/length.h"
 #include "csg/base/transform.h"
+#include "shade/module/picture_module.h"
 
 namespace csgcast {
 namespace {
@@ -29,6 +32,31 @@ double framing_distance(const Box& box, Vector forward, Vector right, Vector up,
   return distance;
 }
 
+// Light that is finite and not negative.
+float sound(double x) { return std::isfinite(x) && x > 0 ? static_cast<float>(x) : 0; }
+
+std::shared_ptr<const Environment> environment_of(const BackgroundImage& image) {
+  constexpr std::size_t most = std::size_t{1} << 28;  // a gigabyte of numbers
+  detail::DecodedPicture picture;
+  const detail::PictureModule& module = detail::picture_module(image.path);
+  try {
+    picture = module.decode(image.path, most);
+  } catch (const std::runtime_error& failure) {
+    throw Error(ErrorCode::input_output, image.place, "the background image '" + image.path + "' cannot be read",
+                failure.what(), "give the path of a picture, from the scene's folder on");
+  }
+  const std::size_t count = picture.channels.size();
+  const std::size_t pixels = picture.values.size() / count;
+  std::vector<float> rgb(3 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value = picture.values[i * count + (count >= 3 ? c : 0)];
+      rgb[3 * i + c] = sound(picture.is_srgb ? linear_from_srgb(value) : value);
+    }
+  }
+  return std::make_shared<const Environment>(picture.width, picture.height, std::move(rgb));
+}
+
 }  // namespace
 
 View make_view(const SceneDescription& description, const Scene& scene, double aspect) {
@@ -39,6 +67,7 @@ View make_view(const SceneDescription& description, const Scene& scene, double a
   if (view.lights.empty()) view.lights.push_back(headlight(view.camera));
   view.background = description.background.value_or(default_background);
   view.settings = description.settings;
+  if (description.background_image) view.environment = environment_of(*description.background_image);
   return view;
 }
 

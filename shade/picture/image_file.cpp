@@ -1,44 +1,80 @@
 // SPDX-License-Identifier: MIT
 #include "shade/picture/image_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <filesystem>
 #include <limits>
-#include <vector>
+#include <stdexcept>
 
 #include "csg/base/error.h"
+#include "csg/base/precondition.h"
 #include "csg/base/whole_file.h"
+#include "shade/module/picture_module.h"
 #include "shade/picture/detail/encode.h"
-#include "shade/picture/detail/picture_formats.h"
+#include "shade/picture/detail/png_file.h"
 
 namespace csgcast {
 namespace {
 
-using Bytes = std::vector<std::byte>;
-Bytes png(const Film& film) { return detail::png_file(detail::encode(film)); }
-Bytes jpeg(const Film& film) { return detail::jpeg_file(detail::encode(film)); }
-Bytes tiff(const Film& film) { return detail::tiff_file(detail::encode(film)); }
+/// Numbers of bits, as a set.
+enum Bits : unsigned { b8 = 1, b16 = 2, b32 = 4 };
 
 struct Format {
   const char* ending;
-  Bytes (*file_of)(const Film& film);
-  int longest_side;
+  unsigned bits;  ///< the first one of the set is usual
+  int longest_side = std::numeric_limits<int>::max();
 };
-constexpr int most = std::numeric_limits<int>::max();
-constexpr int most_jpeg = 65500;
-constexpr std::array<Format, 6> formats{{{".png", png, most},
-                                         {".jpg", jpeg, most_jpeg},
-                                         {".jpeg", jpeg, most_jpeg},
-                                         {".tif", tiff, most},
-                                         {".tiff", tiff, most},
-                                         {".exr", detail::exr_file, most}}};
+constexpr int jpeg_side = 65500;
+constexpr int webp_side = 16383;
+constexpr int word_side = 65535;
+constexpr int icon_side = 256;
+constexpr std::array formats{Format{".png", b8 | b16},
+                             Format{".jpg", b8, jpeg_side},
+                             Format{".jpeg", b8, jpeg_side},
+                             Format{".tif", b8 | b16 | b32},
+                             Format{".tiff", b8 | b16 | b32},
+                             Format{".exr", b32},
+                             Format{".hdr", b32},
+                             Format{".webp", b8, webp_side},
+                             Format{".bmp", b8},
+                             Format{".tga", b8, word_side},
+                             Format{".ppm", b8},
+                             Format{".pgm", b8},
+                             Format{".gif", b8, word_side},
+                             Format{".jp2", b8 | b16},
+                             Format{".dpx", b8 | b16},
+                             Format{".sgi", b8 | b16, word_side},
+                             Format{".iff", b8 | b16, word_side},
+                             Format{".fits", b8 | b16 | b32},
+                             Format{".ico", b8, icon_side}};
 
-const Format& format_of(const std::string& path) {
+unsigned set_of(int bits) {
+  if (bits == 8) return b8;
+  if (bits == 16) return b16;
+  return bits == 32 ? b32 : 0U;
+}
+
+std::string list_of(unsigned bits) {
+  std::string list;
+  for (const int count : {8, 16, 32}) {
+    if ((bits & set_of(count)) != 0) list += (list.empty() ? "" : ", ") + std::to_string(count);
+  }
+  return list;
+}
+
+std::string ending_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+const Format& format_of(const std::string& path) {
+  const std::string ending = ending_of(path);
   std::string known;
   for (const Format& format : formats) {
     if (ending == format.ending) return format;
@@ -49,29 +85,116 @@ const Format& format_of(const std::string& path) {
               "known endings are " + known);
 }
 
-}  // namespace
+/// The number of bits that are asked for, or the usual one.
+int bits_of(const std::string& path, const Format& format, const PictureOptions& options) {
+  if (options.bits == 0) return (format.bits & b8) != 0 ? 8 : 32;
+  if ((set_of(options.bits) & format.bits) != 0) return options.bits;
+  throw Error(
+      ErrorCode::usage, {path, 0, 0}, fmt::format("{} bits a channel do not fit this kind of picture", options.bits),
+      fmt::format("{} files hold {}", format.ending, list_of(format.bits)), "choose one of these, or another kind");
+}
 
-void check_image_path(const std::string& path) { format_of(path); }
+bool is_plain_png(const Format& format, int bits) { return format.ending == std::string_view(".png") && bits == 8; }
 
-std::vector<std::byte> image_bytes(const Film& film, const std::string& path) {
-  const Format& format = format_of(path);
-  if (film.width() > format.longest_side || film.height() > format.longest_side) {
-    throw Error(ErrorCode::limit, {path, 0, 0}, "the picture is too large for this kind of file",
-                "it holds at most " + std::to_string(format.longest_side) + " pixels a side", "write a .png or .exr");
-  }
+bool is_srgb(FilmContent content) { return content == FilmContent::color || content == FilmContent::color_alpha; }
+
+/// The channels of a film's file, or of a film's layer in one.
+std::vector<std::string> names_of(FilmContent content, int channels) {
+  if (channels == 1) return {content == FilmContent::depth ? "Z" : "Y"};
+  if (channels == 4) return {"R", "G", "B", "A"};
+  return {"R", "G", "B"};
+}
+
+void check_size(const Film& film, const Format& format, const std::string& path) {
+  if (film.width() <= format.longest_side && film.height() <= format.longest_side) return;
+  throw Error(ErrorCode::limit, {path, 0, 0}, "the picture is too large for this kind of file",
+              fmt::format("it holds at most {} pixels a side", format.longest_side), "write a .png or .exr");
+}
+
+std::vector<std::pair<std::string, std::string>> all_notes(const PictureOptions& options) {
+  std::vector<std::pair<std::string, std::string>> notes{{"Software", "csgcast " CSGCAST_VERSION}};
+  notes.insert(notes.end(), options.notes.begin(), options.notes.end());
+  return notes;
+}
+
+/// Calls what makes the bytes, and tells what its library says.
+template <class Encode>
+std::vector<std::byte> encoded(const std::string& path, Encode&& encode) {
   try {
-    return format.file_of(film);
-  } catch (const detail::PictureFailure& failure) {
+    return encode();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::runtime_error& failure) {
     throw Error(ErrorCode::machine, {path, 0, 0}, "the picture cannot be encoded", failure.what(),
                 "try another kind of file");
   }
 }
 
-void write_image(const Film& film, const std::string& path) {
-  const Bytes bytes = image_bytes(film, path);
+}  // namespace
+
+void check_image_path(const std::string& path, const PictureOptions& options) {
+  const Format& format = format_of(path);
+  if (!is_plain_png(format, bits_of(path, format, options))) detail::prepare_picture_module();
+}
+
+std::vector<std::byte> image_bytes(const Film& film, const std::string& path, const PictureOptions& options) {
+  const Format& format = format_of(path);
+  const int bits = bits_of(path, format, options);
+  check_size(film, format, path);
+  detail::EncodedPicture picture{.width = film.width(), .height = film.height(), .notes = all_notes(options)};
+  if (bits == 32) {
+    picture.type = detail::PixelType::real;
+    picture.channels = names_of(film.content(), channels(film.content()));
+    picture.pixels = film.values().data();
+    return encoded(path, [&] { return detail::picture_module(path).encode(picture, ending_of(path)); });
+  }
+  const detail::EncodedFilm levels = detail::encode(film, bits);
+  if (is_plain_png(format, bits)) return encoded(path, [&] { return detail::png_file(levels, picture.notes); });
+  picture.type = bits == 8 ? detail::PixelType::byte : detail::PixelType::word;
+  picture.channels = names_of(film.content(), levels.channels);
+  picture.pixels = bits == 8 ? static_cast<const void*>(levels.bytes.data()) : levels.words.data();
+  picture.is_srgb = is_srgb(film.content());
+  return encoded(path, [&] { return detail::picture_module(path).encode(picture, ending_of(path)); });
+}
+
+void write_image(const Film& film, const std::string& path, const PictureOptions& options) {
+  const std::vector<std::byte> bytes = image_bytes(film, path, options);
   WholeFile file(path);
   file.write(bytes);
   file.commit();
+}
+
+bool holds_layers(const std::string& path) { return ending_of(path) == ".exr"; }
+
+std::vector<std::byte> layer_bytes(std::span<const NamedChannels> layers, const std::string& path,
+                                   const PictureOptions& options) {
+  CSGCAST_PRECONDITION(!layers.empty());
+  const Format& format = format_of(path);
+  if (!holds_layers(path)) {
+    throw Error(ErrorCode::usage, {path, 0, 0}, "this kind of picture holds no channels by name",
+                fmt::format("{} files hold one picture", format.ending), "write an .exr");
+  }
+  static_cast<void>(bits_of(path, format, options));
+  const int width = layers.front().film->width();
+  const int height = layers.front().film->height();
+  detail::EncodedPicture picture{
+      .width = width, .height = height, .type = detail::PixelType::real, .notes = all_notes(options)};
+  for (const NamedChannels& layer : layers) {
+    CSGCAST_PRECONDITION(layer.film->width() == width && layer.film->height() == height);
+    CSGCAST_PRECONDITION(static_cast<int>(layer.channels.size()) == channels(layer.film->content()));
+    picture.channels.insert(picture.channels.end(), layer.channels.begin(), layer.channels.end());
+  }
+  std::vector<float> values;
+  values.reserve(picture.channels.size() * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (const NamedChannels& layer : layers) {
+        for (int c = 0; c < channels(layer.film->content()); ++c) values.push_back(layer.film->value(x, y, c));
+      }
+    }
+  }
+  picture.pixels = values.data();
+  return encoded(path, [&] { return detail::picture_module(path).encode(picture, ending_of(path)); });
 }
 
 }  // namespace csgcast

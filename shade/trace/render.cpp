@@ -29,6 +29,8 @@ constexpr int longest_side = 65536;
 constexpr std::int64_t most_pixels = std::int64_t{1} << 27;
 constexpr int most_samples = 1024;
 
+}  // namespace
+
 void check(const RenderOptions& options) {
   const auto refuse = [](const std::string& problem, const std::string& why, const std::string& remedy) {
     throw Error(ErrorCode::limit, {}, problem, why, remedy);
@@ -50,6 +52,8 @@ void check(const RenderOptions& options) {
   }
   PacketCaster::check_instructions(options.instructions);
 }
+
+namespace {
 
 // Samples a pixel along each axis.
 int grid_of(const RenderOptions& options) {

@@ -53,6 +53,9 @@ struct RenderOptions {
   ProgressCallback progress{};
 };
 
+/// Throws what render() throws for sizes, samples and instructions.
+void check(const RenderOptions& options);
+
 /// A picture, the same bit for bit on any number of threads. Throws Error(limit) for a size or number of samples that
 /// is not positive or too large (65,536 pixels a side, 2^27 in all, 1,024 samples), Error(bad_value) for a view that no
 /// camera has, Error(usage) for adaptive samples in a mode other than shaded, or instructions that the machine does not

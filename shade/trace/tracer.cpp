@@ -70,7 +70,7 @@ void Tracer::leave(const Task& task, Fate fate) {
   const bool endless = fate == Fate::left;
   const Rgb weight =
       endless ? task.weight * absorbed(task.medium, std::numeric_limits<double>::infinity()) : task.weight;
-  const Rgb brings = weight * view_.background;
+  const Rgb brings = weight * view_.sky(task.ray.direction());
   sum_ = sum_ + brings;
   if (tree_ != nullptr) {
     tree_->push_back({.kind = task.kind,

@@ -42,7 +42,7 @@ FOLDERS = MODULES + ["tests", "examples"]
 
 # The rooms of each module, floor by floor from the bottom up.
 FLOORS = [
-    ["csg/base", "raycast/simd", "shade/light", "measure/sheet", "cli/output"],
+    ["csg/base", "raycast/simd", "shade/light", "shade/module", "measure/sheet", "cli/output"],
     ["csg/exact", "raycast/line", "shade/film", "measure/search", "measure/section", "cli/input"],
     ["csg/solid", "raycast/surface", "shade/picture", "shade/trace", "cli/manual"],
     ["csg/text/syntax", "raycast/weld", "cli/command"],
@@ -59,8 +59,7 @@ MOST_FILES = 30
 LONG_FILE, LONG_FUNCTION = 400, 60
 
 # The libraries of the kinds of pictures, by the names of their headers.
-PICTURE_LIBRARIES = {"libpng": r"png\w*\.h", "libjpeg": r"(jpeglib|jerror|turbojpeg)\.h", "libtiff": r"tiff\w*\.h",
-                     "OpenEXR": r"((OpenEXR|Imath)/.*|(Imf|Imath|Iex|IlmThread)\w*\.h)"}
+PICTURE_LIBRARIES = {"libpng": r"png\w*\.h", "OpenImageIO": r"OpenImageIO/.*", "libwebp": r"webp/.*"}
 
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)')

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "csg/base/precondition.h"
+#include "csg/solid/look.h"
 #include "shade/picture/detail/srgb_bytes.h"
 
 namespace csgcast::detail {
@@ -51,49 +53,88 @@ std::array<double, 3> color_of_id(double id) {
   return {channel(0), channel(2.0 / 3), channel(1.0 / 3)};
 }
 
+// Levels of a type, and what makes one of linear light.
+struct Bytes {
+  using Level = std::uint8_t;
+  SrgbBytes srgb{};
+  static Level level(double x) { return to_byte(x); }
+};
+struct Words {
+  using Level = std::uint16_t;
+  static Level level(double x) { return to_word(x); }
+  static Level srgb(float linear) { return to_word(srgb_from_linear(std::clamp(linear, 0.0F, 1.0F))); }
+};
+
 // Neighbours mostly have the same id, and the same colour then.
-void color_ids(const std::vector<float>& ids, std::vector<std::uint8_t>& bytes) {
-  std::array<std::uint8_t, 3> color{};
+template <class Levels>
+void color_ids(const std::vector<float>& ids, std::vector<typename Levels::Level>& levels) {
+  std::array<typename Levels::Level, 3> color{};
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (i == 0 || ids[i] != ids[i - 1]) {
       const std::array<double, 3> channels = color_of_id(ids[i]);
-      std::transform(channels.begin(), channels.end(), color.begin(), to_byte);
+      std::transform(channels.begin(), channels.end(), color.begin(), Levels::level);
     }
-    std::copy(color.begin(), color.end(), bytes.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    std::copy(color.begin(), color.end(), levels.begin() + static_cast<std::ptrdiff_t>(3 * i));
   }
 }
 
-}  // namespace
-
-std::uint8_t to_byte(double x) {
-  if (!(x > 0)) return 0;
-  return static_cast<std::uint8_t>(std::floor(std::min(x, 1.0) * 255 + 0.5));
+// Colours without the alpha that is multiplied into them.
+template <class Levels>
+void divide_by_alpha(const Levels& of, const std::vector<float>& values, std::vector<typename Levels::Level>& levels) {
+  for (std::size_t i = 0; i < values.size(); i += 4) {
+    const float alpha = values[i + 3];
+    for (std::size_t c = 0; c < 3; ++c) levels[i + c] = alpha > 0 ? of.srgb(values[i + c] / alpha) : 0;
+    levels[i + 3] = Levels::level(alpha);
+  }
 }
 
-EncodedFilm encode(const Film& film) {
-  const FilmContent content = film.content();
-  EncodedFilm result{film.width(), film.height(), content == FilmContent::id ? 3 : channels(content), content, {}};
+template <class Levels>
+std::vector<typename Levels::Level> levels_of(const Film& film, int channel_count) {
+  const Levels of;
   const std::vector<float>& values = film.values();
-  result.bytes.resize(values.size() * static_cast<std::size_t>(result.channels / channels(content)));
-  const auto each = [&](auto&& byte_of) {
-    std::transform(values.begin(), values.end(), result.bytes.begin(), byte_of);
-  };
-  switch (content) {
+  std::vector<typename Levels::Level> levels(values.size() / static_cast<std::size_t>(channels(film.content())) *
+                                             static_cast<std::size_t>(channel_count));
+  const auto each = [&](auto&& level_of) { std::transform(values.begin(), values.end(), levels.begin(), level_of); };
+  switch (film.content()) {
     case FilmContent::color:
-      each(SrgbBytes());
+      each([&](float value) { return of.srgb(value); });
+      break;
+    case FilmContent::color_alpha:
+      divide_by_alpha(of, values, levels);
       break;
     case FilmContent::normal:
-      each(to_byte);
+    case FilmContent::position:
+      each(Levels::level);
       break;
     case FilmContent::depth:
-      each([range = range_of(film)](float value) { return to_byte(shade_of_depth(value, range)); });
+      each([range = range_of(film)](float value) { return Levels::level(shade_of_depth(value, range)); });
       break;
     case FilmContent::length:
-      each([range = range_of(film)](float value) { return to_byte(shade_of_length(value, range[1])); });
+      each([range = range_of(film)](float value) { return Levels::level(shade_of_length(value, range[1])); });
       break;
     case FilmContent::id:
-      color_ids(values, result.bytes);
+      color_ids<Levels>(values, levels);
       break;
+  }
+  return levels;
+}
+
+double clamped(double x) { return x > 0 ? std::min(x, 1.0) : 0; }  // not a number: 0
+
+}  // namespace
+
+std::uint8_t to_byte(double x) { return static_cast<std::uint8_t>(std::floor(clamped(x) * 255 + 0.5)); }
+
+std::uint16_t to_word(double x) { return static_cast<std::uint16_t>(std::floor(clamped(x) * 65535 + 0.5)); }
+
+EncodedFilm encode(const Film& film, int bits) {
+  CSGCAST_PRECONDITION(bits == 8 || bits == 16);
+  const FilmContent content = film.content();
+  EncodedFilm result{film.width(), film.height(), content == FilmContent::id ? 3 : channels(content), content};
+  if (bits == 8) {
+    result.bytes = levels_of<Bytes>(film, result.channels);
+  } else {
+    result.words = levels_of<Words>(film, result.channels);
   }
   return result;
 }

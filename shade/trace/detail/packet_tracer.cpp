@@ -108,7 +108,8 @@ bool PacketTracer::sort_out(std::span<Rgb> colors) {
 
 // A ray that meets nothing.
 void PacketTracer::leave(std::size_t ray, Rgb& color) const {
-  color = depth_ == 0 ? view_.background : color + weight_[ray] * view_.background;
+  const Rgb sky = view_.sky({direction_[0][ray], direction_[1][ray], direction_[2][ray]});
+  color = depth_ == 0 ? sky : color + weight_[ray] * sky;
 }
 
 void PacketTracer::trace_alone(std::size_t ray, Rgb& color) {
@@ -192,7 +193,7 @@ bool PacketTracer::reflect(std::size_t ray, std::size_t to, std::span<Rgb> color
   if (!is_last && leads_away_[ray] != 0 && dot(out, direction) > clear_departure) {
     ++report_.skipped.reflection_leading_away;
     Rgb& color = colors[ray_place_[ray]];
-    color = color + weight * view_.background;
+    color = color + weight * view_.sky(direction);
     return false;
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {

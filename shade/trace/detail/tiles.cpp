@@ -120,8 +120,10 @@ void TileRenderer::shade_in_packets(const Tile& tile, int k, Film& film) {
     const int rows = k * (strip.y1 - strip.y0);
     const Outline::Columns seen = outline_.columns(strip.y0, strip.y1);
     const auto column = [&](double x) { return static_cast<int>(std::clamp<double>(k * (x - strip.x0), 0, columns)); };
-    const int first = column(std::floor(seen.first));
-    const int last = std::max(first, column(std::ceil(seen.last)));
+    // Beyond the outline there is the background: of one colour, unless it is a picture.
+    const bool is_even = job_.view.environment == nullptr;
+    const int first = is_even ? column(std::floor(seen.first)) : 0;
+    const int last = is_even ? std::max(first, column(std::ceil(seen.last))) : columns;
     beyond_bounds_ += static_cast<std::uint64_t>(rows * (columns - (last - first)));
     const auto in_a_row = static_cast<std::size_t>(strip.x1 - strip.x0);
     if (first == last) {

@@ -2,12 +2,18 @@
 #include "csg/text/statement/detail/scene_statements.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "csg/base/length.h"
 #include "csg/text/statement/detail/color_argument.h"
 
 namespace csgcast::text {
 namespace {
+
+/// The path of a file that a text names: relative ones start at the text's own folder.
+std::string beside(const Place& text, const std::string& path) {
+  return (std::filesystem::path(text.file.string()).parent_path() / path).string();
+}
 
 Point as_point(Vector v) { return {v.x, v.y, v.z}; }
 
@@ -53,7 +59,12 @@ void apply_light(const Call& call, SceneDescription& scene) {
 
 void apply_background(const Call& call, SceneDescription& scene) {
   scene.background = color_argument(call, "color");
-  if (!scene.background) call.missing("color", "a CSS name, \"#rrggbb\" or linear [r, g, b]");
+  if (const std::optional<std::string> image = call.string("image")) {
+    call.require(!scene.background, "image", "not stand beside 'color'");
+    scene.background_image = BackgroundImage{beside(call.place(), *image), call.place()};
+  }
+  if (!scene.background && !scene.background_image)
+    call.missing("color", "a CSS name, \"#rrggbb\" or linear [r, g, b], or 'image', a picture");
 }
 
 void apply_settings(const Call& call, SceneDescription& scene) {

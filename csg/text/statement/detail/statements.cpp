@@ -65,7 +65,7 @@ void add_scene(std::vector<Statement>& table) {
   };
   add("camera", {"eye", "look_at", "up", "fov", "height"}, apply_camera, once);
   add("light", {"position", "direction", "color", "intensity", "falloff"}, apply_light, many);
-  add("background", {"color"}, apply_background, once);
+  add("background", {"color", "image"}, apply_background, once);
   add("settings", {"max_depth", "min_contribution"}, apply_settings, once);
 }
 

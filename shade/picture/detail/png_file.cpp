@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "shade/picture/detail/png_file.h"
+
 #include <png.h>
 
 #include <csetjmp>
 #include <new>
+#include <span>
+#include <stdexcept>
 #include <string>
-
-#include "shade/picture/detail/picture_formats.h"
 
 namespace csgcast::detail {
 namespace {
@@ -15,8 +17,15 @@ namespace {
 // libpng's own choice, a filter for each row at level 6, 23 ms for 84 kB. Normals, depths and lengths are ramps: the
 // difference to the row above takes 8 ms for 40 kB, unfiltered they take 7 ms for 55 kB.
 constexpr int compression_level = 6;
+
+bool is_light(FilmContent content) { return content == FilmContent::color || content == FilmContent::color_alpha; }
+
 int filter_for(FilmContent content) {
-  return content == FilmContent::color || content == FilmContent::id ? PNG_FILTER_NONE : PNG_FILTER_UP;
+  return is_light(content) || content == FilmContent::id ? PNG_FILTER_NONE : PNG_FILTER_UP;
+}
+
+int color_type(int channels) {
+  return channels == 1 ? PNG_COLOR_TYPE_GRAY : channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA;
 }
 
 constexpr std::size_t buffer_size = 1 << 16;  // of compressed bytes: one IDAT chunk each
@@ -58,9 +67,9 @@ class Writer {
   ~Writer() { png_destroy_write_struct(&png_, &info_); }
 
   /// False if libpng gave up. It then jumps back to here, over frames that have nothing to destroy.
-  bool write(const EncodedFilm& picture) {
+  bool write(const EncodedFilm& picture, std::span<png_text> notes) {
     if (png_ == nullptr || info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;
-    write_head(picture);
+    write_head(picture, notes);
     const std::size_t stride = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
     const std::uint8_t* row = picture.bytes.data();
     for (int y = 0; y < picture.height; ++y, row += stride) png_write_row(png_, row);
@@ -69,21 +78,14 @@ class Writer {
   }
 
  private:
-  void write_head(const EncodedFilm& picture) {
+  void write_head(const EncodedFilm& picture, std::span<png_text> notes) {
     png_set_compression_level(png_, compression_level);
     png_set_compression_buffer_size(png_, buffer_size);
     png_set_filter(png_, PNG_FILTER_TYPE_BASE, filter_for(picture.content));
     png_set_IHDR(png_, info_, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height), 8,
-                 picture.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
-    if (picture.content == FilmContent::color) png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
-    char key[] = "Software";
-    char value[] = "csgcast";
-    png_text software{};
-    software.compression = PNG_TEXT_COMPRESSION_NONE;
-    software.key = key;
-    software.text = value;
-    png_set_text(png_, info_, &software, 1);
+                 color_type(picture.channels), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
+    if (is_light(picture.content)) png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_text(png_, info_, notes.data(), static_cast<int>(notes.size()));
     png_write_info(png_, info_);
   }
 
@@ -93,10 +95,20 @@ class Writer {
 
 }  // namespace
 
-std::vector<std::byte> png_file(const EncodedFilm& picture) {
+std::vector<std::byte> png_file(const EncodedFilm& picture, const PictureNotes& notes) {
+  PictureNotes own = notes;  // libpng wants to be able to change them
+  std::vector<png_text> texts;
+  for (auto& [key, text] : own) {
+    png_text entry{};
+    entry.compression = PNG_TEXT_COMPRESSION_NONE;
+    entry.key = key.data();
+    entry.text = text.data();
+    texts.push_back(entry);
+  }
   Target target;
   Writer writer(target);
-  if (!writer.write(picture)) throw PictureFailure(target.problem.empty() ? "out of memory" : target.problem);
+  if (!writer.write(picture, texts))
+    throw std::runtime_error(target.problem.empty() ? "out of memory" : target.problem);
   return std::move(target.bytes);
 }
 
