@@ -42,7 +42,7 @@ void json_quadrics(Json& json, const Scene& scene) {
   json.key("quadrics").begin_array();
   const auto surfaces = scene.surfaces();
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (is_quadric(surfaces[i])) json_quadric(json, i, quadric_shape(surfaces[i].exact.unpacked()));
+    if (is_quadric(surfaces[i])) json_quadric(json, i, shape_of_quadric(surfaces[i].exact.unpacked()));
   }
   json.end_array();
 }

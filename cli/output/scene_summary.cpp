@@ -30,10 +30,10 @@ bool is_quadric(const Surface& surface) { return !surface.is_plane && surface.ot
 Tally quadric_kinds(const Scene& scene) {
   std::map<QuadricKind, std::uint64_t> counts;
   for (const Surface& surface : scene.surfaces()) {
-    if (is_quadric(surface)) ++counts[quadric_kind(surface.exact.unpacked())];
+    if (is_quadric(surface)) ++counts[kind_of_quadric(surface.exact.unpacked())];
   }
   Tally tally;
-  for (const auto [kind, count] : counts) tally[word(kind)] = count;
+  for (const auto& [kind, count] : counts) tally[word(kind)] = count;
   return tally;
 }
 

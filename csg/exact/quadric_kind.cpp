@@ -484,9 +484,9 @@ const char* word(QuadricKind kind) {
   return "";
 }
 
-QuadricKind quadric_kind(const QuadricForm& form) { return classified(matrix_of(form)).kind; }
+QuadricKind kind_of_quadric(const QuadricForm& form) { return classified(matrix_of(form)).kind; }
 
-QuadricShape quadric_shape(const QuadricForm& form) {
+QuadricShape shape_of_quadric(const QuadricForm& form) {
   CSGCAST_PRECONDITION(!form.is_plane() && !form.is_constant());
   Matrix m = matrix_of(form);
   const Classified found = classified(m);

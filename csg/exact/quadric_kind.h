@@ -42,7 +42,7 @@ enum class QuadricKind : std::uint8_t {
 const char* word(QuadricKind kind);
 
 /// Decided exactly, by the signs of the invariants of the form's 3 x 3 and 4 x 4 matrices. The form may be any one.
-QuadricKind quadric_kind(const QuadricForm& form);
+QuadricKind kind_of_quadric(const QuadricForm& form);
 
 /// Where a quadric lies, and how large it is, in the coordinates of its form. It is told in its own axes u, v, w about
 /// its center; numbers that its kind does not have are none.
@@ -71,6 +71,6 @@ struct QuadricShape {
 
 /// Precondition: the form is not of a plane and not constant. Kinds without a real place but for `line` and `point` are
 /// told by their kind alone: the rest is none.
-QuadricShape quadric_shape(const QuadricForm& form);
+QuadricShape shape_of_quadric(const QuadricForm& form);
 
 }  // namespace csgcast

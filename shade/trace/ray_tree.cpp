@@ -48,7 +48,7 @@ const char* sentence(Fate fate) {
 
 const char* surface_word(const Surface& surface) {
   if (surface.is_plane) return word(QuadricKind::plane);
-  return surface.other == nullptr ? word(quadric_kind(surface.exact.unpacked())) : "no quadric";
+  return surface.other == nullptr ? word(kind_of_quadric(surface.exact.unpacked())) : "no quadric";
 }
 
 std::string text(Rgb c) { return fmt::format("[{:.6g} {:.6g} {:.6g}]", c.r, c.g, c.b); }

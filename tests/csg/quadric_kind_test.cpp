@@ -88,7 +88,7 @@ Vector applied(const Transform& t, Vector v, double divisor) {
 double between(Vector a, Vector b) { return length(cross(normalised(a), normalised(b))); }
 
 QuadricShape turned_shape(const std::array<double, 10>& c) {
-  return quadric_shape(transformed(form(c), ExactAffine(exact_turn())));
+  return shape_of_quadric(transformed(form(c), ExactAffine(exact_turn())));
 }
 
 void check_length(double found, double known, const QuadricShape& shape) {
@@ -101,8 +101,8 @@ void check_length(double found, double known, const QuadricShape& shape) {
 TEST_CASE("The kind of a quadric is told exactly") {
   for (const Case& c : cases()) {
     INFO(word(c.kind));
-    CHECK(std::string(word(quadric_kind(form(c.form)))) == word(c.kind));
-    CHECK(quadric_kind(-form(c.form)) == c.kind);
+    CHECK(std::string(word(kind_of_quadric(form(c.form)))) == word(c.kind));
+    CHECK(kind_of_quadric(-form(c.form)) == c.kind);
   }
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("The kind of a quadric stays if it is moved exactly, however far or la
     if (form(c.form).is_constant()) continue;
     INFO(word(c.kind));
     for (const Transform& t : {exact_turn(), far, small})
-      CHECK(std::string(word(quadric_kind(transformed(form(c.form), ExactAffine(t))))) == word(c.kind));
+      CHECK(std::string(word(kind_of_quadric(transformed(form(c.form), ExactAffine(t))))) == word(c.kind));
   }
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("A sheared quadric keeps its class, and what was circular is elliptic"
   Transform shear;
   shear.entry = {1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   const auto sheared = [&](const std::array<double, 10>& c) {
-    return quadric_kind(transformed(form(c), ExactAffine(shear)));
+    return kind_of_quadric(transformed(form(c), ExactAffine(shear)));
   };
   CHECK(sheared({1, 1, 1, 0, 0, 0, 0, 0, 0, -1}) == Kind::ellipsoid);
   CHECK(sheared({1, 1, 0, 0, 0, 0, 0, 0, 0, -1}) == Kind::elliptic_cylinder);
@@ -134,7 +134,7 @@ TEST_CASE("A sheared quadric keeps its class, and what was circular is elliptic"
 TEST_CASE("An ellipsoid tells its center, axes and semi-axes") {
   // Semi-axes 4, 2, 1 about (1, 2, 3).
   const std::array<double, 10> c{1, 4, 16, 0, 0, 0, -2, -16, -96, 1 + 16 + 144 - 16};
-  const QuadricShape plain = quadric_shape(form(c));
+  const QuadricShape plain = shape_of_quadric(form(c));
   CHECK(plain.kind == Kind::ellipsoid);
   CHECK(plain.center == Point{1, 2, 3});
   CHECK(plain.semi_axes == std::array<double, 3>{4, 2, 1});
@@ -155,7 +155,7 @@ TEST_CASE("A ball far away tells its center and radius: nothing cancels") {
   // Radius 3 about (1e8 + 0.25, -1e9, 0).
   QuadricForm f = form({1, 1, 1, 0, 0, 0, 0, 0, 0, -9});
   f = transformed(f, ExactAffine(translation({1e8 + 0.25, -1e9, 0})));
-  const QuadricShape ball = quadric_shape(f);
+  const QuadricShape ball = shape_of_quadric(f);
   CHECK(ball.kind == Kind::sphere);
   CHECK(ball.center == Point{1e8 + 0.25, -1e9, 0});
   CHECK(ball.semi_axes == std::array<double, 3>{3, 3, 3});
@@ -181,9 +181,9 @@ TEST_CASE("Cylinders, cones and hyperboloids have their axis last") {
   CHECK(cone.axes_error[2] < 1e-13);
   CHECK(std::isinf(cone.axes_error[0]));
 
-  const QuadricShape waist = quadric_shape(form({1, 4, -16, 0, 0, 0, 0, 0, 0, -16}));
+  const QuadricShape waist = shape_of_quadric(form({1, 4, -16, 0, 0, 0, 0, 0, 0, -16}));
   CHECK(waist.semi_axes == std::array<double, 3>{4, 2, 1});
-  const QuadricShape cups = quadric_shape(form({1, 4, -16, 0, 0, 0, 0, 0, 0, 16}));
+  const QuadricShape cups = shape_of_quadric(form({1, 4, -16, 0, 0, 0, 0, 0, 0, 16}));
   CHECK(cups.kind == Kind::elliptic_hyperboloid_of_two_sheets);
   CHECK(cups.semi_axes == std::array<double, 3>{4, 2, 1});
 }
@@ -192,7 +192,7 @@ TEST_CASE("Paraboloids tell their vertex, the way they open and their focal leng
   // z - 5 = -(x - 1)²/4 - y²: it opens downward; focal lengths 1 and 1/4.
   const std::array<double, 10> c{0.25, 1, 0, 0, 0, 0, -0.5, 0, 1, 0.25 - 5};
   for (const bool is_negated : {false, true}) {
-    const QuadricShape bowl = quadric_shape(is_negated ? -form(c) : form(c));
+    const QuadricShape bowl = shape_of_quadric(is_negated ? -form(c) : form(c));
     CHECK(bowl.kind == Kind::elliptic_paraboloid);
     CHECK(bowl.center == Point{1, 0, 5});
     CHECK(bowl.axes[2] == Vector{0, 0, -1});
@@ -207,34 +207,34 @@ TEST_CASE("Paraboloids tell their vertex, the way they open and their focal leng
   CHECK(turned.center == Point{vertex.x + 7, vertex.y - 1000, vertex.z + 0.125});
 
   // y = x²/8 + 3 along z.
-  const QuadricShape trough = quadric_shape(form({0.125, 0, 0, 0, 0, 0, 0, -1, 0, 3}));
+  const QuadricShape trough = shape_of_quadric(form({0.125, 0, 0, 0, 0, 0, 0, -1, 0, 3}));
   CHECK(trough.kind == Kind::parabolic_cylinder);
   CHECK(trough.center == Point{0, 3, 0});
   CHECK(trough.axes[1] == Vector{0, 1, 0});
   CHECK(trough.focal_lengths[0] == 2);
   CHECK(dot(cross(trough.axes[0], trough.axes[1]), trough.axes[2]) == 1);
 
-  const QuadricShape saddle = quadric_shape(form({1, -1, 0, 0, 0, 0, 0, 0, -4, 0}));
+  const QuadricShape saddle = shape_of_quadric(form({1, -1, 0, 0, 0, 0, 0, 0, -4, 0}));
   CHECK(saddle.kind == Kind::hyperbolic_paraboloid);
   CHECK(saddle.focal_lengths == std::array<double, 2>{1, 1});
 }
 
 TEST_CASE("Planes in a pair and hyperbolic cylinders tell where they are") {
   // 2 <= x + y <= 4 times sqrt 2: normals (1, 1, 0), half the distance 1/sqrt 2.
-  const QuadricShape slab = quadric_shape(form({1, 1, 0, 2, 0, 0, -6, -6, 0, 8}));
+  const QuadricShape slab = shape_of_quadric(form({1, 1, 0, 2, 0, 0, -6, -6, 0, 8}));
   CHECK(slab.kind == Kind::parallel_planes);
   CHECK(slab.center == Point{1.5, 1.5, 0});
   check_length(slab.semi_axes[0], std::sqrt(0.5), slab);
   CHECK(between(slab.axes[0], {1, 1, 0}) <= slab.axes_error[0] + 1e-15);
   CHECK(slab.axes_error[0] < 1e-14);
 
-  const QuadricShape roof = quadric_shape(form({3, 0, -1, 0, 0, 0, 0, 0, 2, -1}));
+  const QuadricShape roof = shape_of_quadric(form({3, 0, -1, 0, 0, 0, 0, 0, 2, -1}));
   CHECK(roof.kind == Kind::crossing_planes);
   CHECK(roof.center == Point{0, 0, 1});
   CHECK(roof.half_angles[0] == Approx(std::numbers::pi / 3).epsilon(1e-14));
 
   for (const double sign : {1.0, -1.0}) {
-    const QuadricShape sheets = quadric_shape(form({sign, -4 * sign, 0, 0, 0, 0, 0, 0, 0, -4}));
+    const QuadricShape sheets = shape_of_quadric(form({sign, -4 * sign, 0, 0, 0, 0, 0, 0, 0, -4}));
     CHECK(sheets.kind == Kind::hyperbolic_cylinder);
     CHECK(sheets.semi_axes[0] == (sign > 0 ? 2 : 1));
     CHECK(between(sheets.axes[0], sign > 0 ? Vector{1, 0, 0} : Vector{0, 1, 0}) == 0);
@@ -253,7 +253,7 @@ TEST_CASE("Random ellipsoids have the semi-axes and axes that they were made wit
     const Transform turn = rotation(360 * uniform(random), {uniform(random), uniform(random), 1});
     f = transformed(f, ExactAffine(turn));
     f = transformed(f, ExactAffine(translation(at)));
-    const QuadricShape shape = quadric_shape(f);
+    const QuadricShape shape = shape_of_quadric(f);
     CHECK(shape.kind == Kind::ellipsoid);
     std::array<double, 3> sorted = a;
     std::sort(sorted.begin(), sorted.end(), std::greater<>());
