@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "csg/base/precondition.h"
+#include "csg/exact/directed.h"
 #include "csg/exact/symmetric_eigen.h"
 
 namespace csgcast {
@@ -242,16 +243,15 @@ Centered centered(const Symmetric& a, const Exact3& b, const Rational& c, int ra
   return result;
 }
 
-/// The square root of a positive number; off by less than 2^-51 of it.
-double root(const Rational& x) {
-  const auto bits = [](const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
-  const long half = (bits(x.get_num()) - bits(x.get_den())) / 2;
-  Rational near_one = x;
-  const auto shift = static_cast<mp_bitcnt_t>(2 * std::labs(half));
-  half > 0 ? mpq_div_2exp(near_one.get_mpq_t(), near_one.get_mpq_t(), shift)
-           : mpq_mul_2exp(near_one.get_mpq_t(), near_one.get_mpq_t(), shift);
-  return std::ldexp(std::sqrt(near_one.get_d()), static_cast<int>(half));
+/// Rounded down to 128 bits; exact if it has no more.
+Dyadic to_128_bits(const Rational& x) {
+  return detail::quotient(Dyadic(x.get_num(), 0), Dyadic(x.get_den(), 0), detail::Toward::down);
 }
+
+double nearest(const Rational& x) { return to_128_bits(x).nearest(); }
+
+/// The square root of a positive number: off by less than an ulp, the nearest double if it is a short number.
+double root(const Rational& x) { return detail::square_root(to_128_bits(x), detail::Toward::down).nearest(); }
 
 /// Numbers near 1: a form's second-degree part, rounded, and the power of two that it was divided by.
 struct Rounded {
@@ -319,7 +319,7 @@ Vector as_vector(const Eigen::Vector3d& v) { return Vector{v[0], v[1], v[2]}; }
 Eigen::Vector3d direction(const Exact3& v) {
   const Rational greatest = std::max({Rational(abs(v[0])), Rational(abs(v[1])), Rational(abs(v[2]))});
   Eigen::Vector3d result;
-  for (std::size_t i = 0; i < 3; ++i) result[static_cast<Eigen::Index>(i)] = Rational(v[i] / greatest).get_d();
+  for (std::size_t i = 0; i < 3; ++i) result[static_cast<Eigen::Index>(i)] = nearest(v[i] / greatest);
   return result.normalized();
 }
 
@@ -519,7 +519,7 @@ QuadricShape shape_of_quadric(const QuadricForm& form) {
     negate();
     about = exact();
   }
-  for (std::size_t i = 0; i < 3; ++i) shape.center[i] = about.center[i].get_d();
+  for (std::size_t i = 0; i < 3; ++i) shape.center[i] = nearest(about.center[i]);
   ShapeTeller(shape, about, rounded(m))();
   return shape;
 }

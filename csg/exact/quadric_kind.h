@@ -49,7 +49,8 @@ QuadricKind kind_of_quadric(const QuadricForm& form);
 struct QuadricShape {
   QuadricKind kind = QuadricKind::everything;
   /// The centre; an apex or a vertex; of what has a line or a plane of centres, or vertices, the one nearest the
-  /// origin. It is computed exactly, then each coordinate is rounded toward zero, by less than an ulp.
+  /// origin. Each coordinate is computed exactly,
+  /// then rounded to 128 bits and to the nearest double.
   Point center{};
   /// u, v and w: unit, right-handed. w is the axis of a cylinder, a cone, a paraboloid or a hyperboloid, and the way
   /// that a paraboloid opens; of a parabolic cylinder, v is the way that it opens; u is square to parallel planes.
