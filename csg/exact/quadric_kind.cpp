@@ -93,9 +93,17 @@ std::array<Dyadic, 3> invariants(const Matrix& m) {
   return {m[0][0] + m[1][1] + m[2][2], minor2(m, 0, 1) + minor2(m, 0, 2) + minor2(m, 1, 2), minor3(m, 0, 1, 2)};
 }
 
-std::array<Dyadic, 4> invariants_of_all(const Matrix& m, const std::array<Dyadic, 3>& e) {
-  return {e[0] + m[3][3], e[1] + minor2(m, 0, 3) + minor2(m, 1, 3) + minor2(m, 2, 3),
-          e[2] + minor3(m, 0, 1, 3) + minor3(m, 0, 2, 3) + minor3(m, 1, 2, 3), determinant(m)};
+/// Of the whole matrix, from that of its second-degree part. If the part has full rank there is one eigenvalue more,
+/// whose sign is that of the quotient of the determinants.
+Signature signature_of_all(const Matrix& m, Signature a, const std::array<Dyadic, 3>& e) {
+  const Dyadic whole = determinant(m);
+  if (a.rank() == 3) {
+    const int added = whole.sign() * e[2].sign();
+    return {a.positive + (added > 0 ? 1 : 0), a.negative + (added < 0 ? 1 : 0)};
+  }
+  const std::array<Dyadic, 4> of_all{e[0] + m[3][3], e[1] + minor2(m, 0, 3) + minor2(m, 1, 3) + minor2(m, 2, 3),
+                                     e[2] + minor3(m, 0, 1, 3) + minor3(m, 0, 2, 3) + minor3(m, 1, 2, 3), whole};
+  return signature(of_all);
 }
 
 /// Whether two eigenvalues of the second-degree part are the same: the discriminant of its characteristic polynomial.
@@ -154,7 +162,7 @@ struct Classified {
 Classified classified(const Matrix& m) {
   const std::array<Dyadic, 3> e = invariants(m);
   Signature a = signature(e);
-  Signature all = signature(invariants_of_all(m, e));
+  Signature all = signature_of_all(m, a, e);
   const bool is_mirrored = a.negative > a.positive;
   if (is_mirrored) {
     std::swap(a.positive, a.negative);
