@@ -33,7 +33,10 @@ Measures unbounded() {
   m.volume = m.area = m.mass = {infinity, infinity};
   m.centroid = {none, none, none};
   m.inertia.fill(none);
-  m.centroid_error = m.inertia_error = m.bounds_error = infinity;
+  m.principal_moments.fill(none);
+  m.principal_axes.fill({none, none, none});
+  m.principal_angles.fill(infinity);
+  m.centroid_error = m.inertia_error = m.principal_error = m.bounds_error = infinity;
   m.bounds = Box::everything();
   return m;
 }

@@ -130,10 +130,14 @@ csgcast_measures as_c(const Measures& m) {
     result.centroid[i] = m.centroid[i];
     result.lower[i] = m.bounds.lower[i];
     result.upper[i] = m.bounds.upper[i];
+    result.principal_moments[i] = m.principal_moments[i];
+    result.principal_angles[i] = m.principal_angles[i];
+    for (std::size_t k = 0; k < 3; ++k) result.principal_axes[3 * i + k] = m.principal_axes[i][k];
   }
   for (std::size_t i = 0; i < 6; ++i) result.inertia[i] = m.inertia[i];
   result.centroid_error = m.centroid_error;
   result.inertia_error = m.inertia_error;
+  result.principal_error = m.principal_error;
   result.bounds_error = m.bounds_error;
   return result;
 }

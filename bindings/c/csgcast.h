@@ -122,6 +122,9 @@ typedef struct csgcast_measures {
   double centroid[3], centroid_error; /* the centre of mass; of each coordinate */
   double inertia[6], inertia_error;   /* xx, yy, zz, xy, xz, yz about the centroid; of each */
   double lower[3], upper[3], bounds_error;
+  double principal_moments[3], principal_error; /* of the inertia, ascending; of each */
+  double principal_axes[9];                     /* three for each moment: unit, right-handed */
+  double principal_angles[3]; /* of each axis: radians to the true one; INFINITY: undetermined, moments are too close */
 } csgcast_measures;
 
 /* Of the whole solid; relative errors of volume and area, such as 1e-6 and 1e-3. */

@@ -129,6 +129,14 @@ py::dict measures_dict(const Measures& m) {
   d["centroid_error"] = m.centroid_error;
   d["inertia"] = array_of<double>(std::vector<double>{i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2]}, {3, 3});
   d["inertia_error"] = m.inertia_error;
+  std::vector<double> axes;
+  for (const Vector& axis : m.principal_axes) axes.insert(axes.end(), {axis.x, axis.y, axis.z});
+  d["principal_moments"] =
+      array_of<double>(std::vector<double>(m.principal_moments.begin(), m.principal_moments.end()), {3});
+  d["principal_error"] = m.principal_error;
+  d["principal_axes"] = array_of<double>(std::move(axes), {3, 3});
+  d["principal_angles"] =
+      array_of<double>(std::vector<double>(m.principal_angles.begin(), m.principal_angles.end()), {3});
   d["bounds"] = box_array(m.bounds);
   d["bounds_error"] = m.bounds_error;
   d["cells"] = m.pieces;

@@ -10,6 +10,7 @@
 #include "cli/output/labelled_row.h"
 #include "cli/output/output.h"
 #include "cli/output/printable.h"
+#include "cli/output/quadric_json.h"
 #include "cli/output/scene_summary.h"
 #include "cli/output/weld_lines.h"
 #include "csg/base/number_text.h"
@@ -39,13 +40,6 @@ std::string coordinates(const Triple<Tag>& t) {
 }
 
 std::string coordinates(const Rgb& c) { return coordinates(Vector{c.r, c.g, c.b}); }
-
-/// `cube 3, sphere 1`.
-std::string list(const Tally& tally) {
-  std::string text;
-  for (const auto& [name, count] : tally) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count);
-  return text.empty() ? "none" : text;
-}
 
 void json_tally(Json& json, const char* name, const Tally& tally) {
   json.key(name).begin_object(Json::Layout::compact);
@@ -92,6 +86,7 @@ std::string as_text(const Info& info) {
                          info.surfaces.planes, info.surfaces.quadrics,
                          info.surfaces.others > 0 ? fmt::format(", others {}", info.surfaces.others) : "",
                          info.surfaces.shared));
+  if (info.surfaces.quadrics > 0) append_row(out, "quadrics", list(info.surfaces.quadrics_by_kind));
   append_welding(out, scene.weld_report());
   append_row(out, "tree", fmt::format("{} nodes after simplification, leaves included", scene.nodes().size()));
   append_row(out, "parts", fmt::format("{}", scene.parts().size()));
@@ -191,6 +186,8 @@ std::string as_json(const Info& info) {
   json.member("quadrics", info.surfaces.quadrics);
   if (info.surfaces.others > 0) json.member("others", info.surfaces.others);
   json.member("shared", info.surfaces.shared).end_object();
+  json_tally(json, "quadrics_by_kind", info.surfaces.quadrics_by_kind);
+  json_quadrics(json, scene);
   json_welding(json, scene.weld_report());
   json.member("nodes", std::uint64_t(scene.nodes().size()));
   json_parts(json, info);

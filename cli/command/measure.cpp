@@ -77,6 +77,19 @@ std::string unbounded_leaf(const Scene& scene) {
   return "";
 }
 
+/// The moments about the centroid, each with its axis and what that may be turned by.
+void append_principal(std::string& out, const Measures& m) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double angle = m.principal_angles[i];
+    append_row(
+        out, i == 0 ? "principal" : "",
+        fmt::format("{} about {}", with_error(m.principal_moments[i], m.principal_error),
+                    std::isinf(angle) ? std::string("an undetermined axis")
+                                      : fmt::format("{}  ± {:.2g} radians",
+                                                    coordinates(m.principal_axes[i], std::fmax(angle, 1e-16)), angle)));
+  }
+}
+
 void append_measures(std::string& out, const Scene& scene, const Measures& m) {
   if (!m.is_bounded)
     return append_row(out, "volume",
@@ -91,6 +104,7 @@ void append_measures(std::string& out, const Scene& scene, const Measures& m) {
     for (std::size_t i = 0; i < inertia_names.size(); ++i)
       inertia += fmt::format("{} {}  ", inertia_names[i], certain_digits(m.inertia[i], m.inertia_error));
     append_row(out, "inertia", fmt::format("{}± {:.2g} each", inertia, m.inertia_error));
+    append_principal(out, m);
   }
   append_row(out, "bounds",
              m.bounds.is_null() ? "empty"
@@ -120,6 +134,14 @@ void json_measures(Json& json, const Measures& m) {
   json.key("inertia").begin_object(Json::Layout::compact);
   for (std::size_t i = 0; i < inertia_names.size(); ++i) json.member(inertia_names[i], m.inertia[i]);
   json.end_object().member("inertia_error", m.inertia_error);
+  json.key("principal").begin_array();
+  for (std::size_t i = 0; i < 3; ++i) {
+    json.begin_object(Json::Layout::compact).member("moment", m.principal_moments[i]);
+    json.key("axis");
+    std::isinf(m.principal_angles[i]) ? json.null() : json.value(m.principal_axes[i]);
+    json.member("axis_error", m.principal_angles[i]).end_object();
+  }
+  json.end_array().member("principal_error", m.principal_error);
   json.key("bounds").begin_object(Json::Layout::compact).member("empty", m.bounds.is_null());
   json.member("lower", m.bounds.lower).member("upper", m.bounds.upper).end_object();
   json.member("bounds_error", m.bounds_error).member("cells", std::uint64_t(m.pieces));
@@ -184,7 +206,7 @@ Command measure_command() {
   command.details =
       "The true value is within each printed error, rounding included. Mass, centroid and inertia are those of the "
       "parts with their densities, and of the rest with density 1. The inertia is about the centroid, along the axes "
-      "of the scene.";
+      "of the scene; principal moments are along its own axes.";
   command.examples = {"csgcast measure part.csg",
                       "csgcast measure part.csg --relative-error 1e-8 --format json -o part.json"};
   command.run = [options] { on_threads(options->scene.threads, [&] { run(*options); }); };

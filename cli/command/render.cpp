@@ -242,7 +242,7 @@ void render_picture(const RenderCommandOptions& options, Job& job, const SceneIn
   files.picture.commit();
   if (!files.stats) return;
   files.stats->write(render_stats(
-      job.render, report,
+      input.scene, job.render, report,
       {input.read_seconds, input.compile_seconds, report.cells_seconds, report.seconds, write_watch.seconds()}));
   files.stats->commit();
 }

@@ -2,16 +2,21 @@
 #include "cli/output/render_stats.h"
 
 #include "cli/output/json.h"
+#include "cli/output/scene_summary.h"
 #include "raycast/packets/threads.h"
 
 namespace csgcast::cli {
 
-std::string render_stats(const RenderOptions& options, const RenderReport& report, const StageSeconds& seconds) {
+std::string render_stats(const Scene& scene, const RenderOptions& options, const RenderReport& report,
+                         const StageSeconds& seconds) {
   std::string out;
   Json json(out);
   json.begin_object();
   json.member("width", std::uint64_t(options.width)).member("height", std::uint64_t(options.height));
   json.member("threads", std::uint64_t(thread_count()));
+  json.key("quadrics_by_kind").begin_object(Json::Layout::compact);
+  for (const auto& [kind, count] : quadric_kinds(scene)) json.member(kind, count);
+  json.end_object();
   json.key("rays").begin_object().member("primary", report.rays.primary).member("shadow", report.rays.shadow);
   json.member("reflection", report.rays.reflection).member("transmission", report.rays.transmission).end_object();
   json.member("refined_pixels", report.refined_pixels);

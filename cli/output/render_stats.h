@@ -16,6 +16,7 @@ struct StageSeconds {
 };
 
 /// What `render --stats` writes, as JSON. Called where the picture was made: it tells how many threads there are.
-std::string render_stats(const RenderOptions& options, const RenderReport& report, const StageSeconds& seconds);
+std::string render_stats(const Scene& scene, const RenderOptions& options, const RenderReport& report,
+                         const StageSeconds& seconds);
 
 }  // namespace csgcast::cli

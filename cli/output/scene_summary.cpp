@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/output/scene_summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
+
+#include "csg/exact/quadric_kind.h"
 
 namespace csgcast::cli {
 
@@ -21,8 +25,27 @@ StatementSummary summarise_statements(const text::Document& document) {
   return summary;
 }
 
+bool is_quadric(const Surface& surface) { return !surface.is_plane && surface.other == nullptr; }
+
+Tally quadric_kinds(const Scene& scene) {
+  std::map<QuadricKind, std::uint64_t> counts;
+  for (const Surface& surface : scene.surfaces()) {
+    if (is_quadric(surface)) ++counts[kind_of_quadric(surface.exact.unpacked())];
+  }
+  Tally tally;
+  for (const auto& [kind, count] : counts) tally[word(kind)] = count;
+  return tally;
+}
+
+std::string list(const Tally& tally) {
+  std::string text;
+  for (const auto& [name, count] : tally) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count);
+  return text.empty() ? "none" : text;
+}
+
 SurfaceSummary summarise_surfaces(const Scene& scene) {
   SurfaceSummary summary;
+  summary.quadrics_by_kind = quadric_kinds(scene);
   for (const Surface& surface : scene.surfaces()) {
     ++(surface.is_plane ? summary.planes : surface.other == nullptr ? summary.quadrics : summary.others);
   }

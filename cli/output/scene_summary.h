@@ -26,12 +26,22 @@ struct SurfaceSummary {
   std::uint64_t quadrics = 0;
   std::uint64_t others = 0;
   std::uint64_t shared = 0;  ///< those that more than one leaf has
+  Tally quadrics_by_kind;    ///< by what they are: csg/exact/quadric_kind.h
 };
 
 struct LeafSummary {
   Tally by_kind;
   std::vector<std::uint64_t> by_part;  ///< for each part of the scene
 };
+
+/// It has a quadric's form: it is no plane and of no other kind.
+bool is_quadric(const Surface& surface);
+
+/// How many quadrics there are of each kind (csg/exact/quadric_kind.h), planes left out.
+Tally quadric_kinds(const Scene& scene);
+
+/// `cube 3, sphere 1`; `none`.
+std::string list(const Tally& tally);
 
 /// Iterative: texts may nest a million deep.
 StatementSummary summarise_statements(const text::Document& document);

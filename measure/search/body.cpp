@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "csg/base/length.h"
+#include "csg/exact/symmetric_eigen.h"
 
 namespace csgcast::detail {
 namespace {
@@ -55,7 +56,10 @@ Body body_of(const Space& space, const Totals& totals, double density) {
   return body;
 }
 
-void tell_mass(const Frame& frame, const Body& body, Measures& measures) {
+namespace {
+
+/// Mass, centroid and inertia.
+void tell_inertia(const Frame& frame, const Body& body, Measures& measures) {
   const Moments& m = body.moments;
   const double scale = std::ldexp(1.0, frame.exponent);
   const double volume_scale = std::ldexp(1.0, 3 * frame.exponent);
@@ -95,6 +99,17 @@ void tell_mass(const Frame& frame, const Body& body, Measures& measures) {
     const Measured entry = scaled(1, measures.inertia[k], error);
     measures.inertia_error = std::fmax(measures.inertia_error, entry.error);
   }
+}
+
+}  // namespace
+
+void tell_mass(const Frame& frame, const Body& body, Measures& measures) {
+  tell_inertia(frame, body, measures);
+  const SymmetricEigen eigen = symmetric_eigen(measures.inertia, measures.inertia_error);
+  measures.principal_moments = eigen.value;
+  measures.principal_error = eigen.value_error;
+  measures.principal_axes = eigen.axis;
+  measures.principal_angles = eigen.angle;
 }
 
 }  // namespace csgcast::detail

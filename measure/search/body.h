@@ -22,7 +22,7 @@ struct Body {
 /// `totals`: of a space.
 Body body_of(const Space& space, const Totals& totals, double density);
 
-/// Fills in mass, centroid and inertia.
+/// Fills in mass, centroid, inertia and what is principal of it.
 void tell_mass(const Frame& frame, const Body& body, Measures& measures);
 
 }  // namespace csgcast::detail

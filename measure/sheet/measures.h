@@ -30,10 +30,15 @@ struct Measures {
   double centroid_error = 0;        ///< of each coordinate
   std::array<double, 6> inertia{};  ///< the tensor about the centroid, along the scene's axes: xx, yy, zz, xy, xz, yz
   double inertia_error = 0;         ///< of each entry
-  Box bounds;                       ///< holds the solid; null if that is empty
-  double bounds_error = 0;          ///< it is nowhere farther from a side than this
-  std::size_t pieces = 0;           ///< that space was cut into
-  bool is_as_asked = true;          ///< the errors of volume and area are as small as asked for
+  std::array<double, 3> principal_moments{};  ///< the tensor's eigenvalues, ascending
+  double principal_error = 0;                 ///< of each
+  std::array<Vector, 3> principal_axes{};     ///< unit, one for each moment, right-handed
+  /// Of each axis: radians to the true one, as lines. Infinite: undetermined, as moments come too near each other.
+  std::array<double, 3> principal_angles{};
+  Box bounds;               ///< holds the solid; null if that is empty
+  double bounds_error = 0;  ///< it is nowhere farther from a side than this
+  std::size_t pieces = 0;   ///< that space was cut into
+  bool is_as_asked = true;  ///< the errors of volume and area are as small as asked for
 };
 
 struct MeasureOptions {

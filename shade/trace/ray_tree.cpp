@@ -5,6 +5,8 @@
 
 #include <iterator>
 
+#include "csg/exact/quadric_kind.h"
+
 namespace csgcast {
 namespace {
 
@@ -44,6 +46,11 @@ const char* sentence(Fate fate) {
   return "";
 }
 
+const char* surface_word(const Surface& surface) {
+  if (surface.is_plane) return word(QuadricKind::plane);
+  return surface.other == nullptr ? word(kind_of_quadric(surface.exact.unpacked())) : "no quadric";
+}
+
 std::string text(Rgb c) { return fmt::format("[{:.6g} {:.6g} {:.6g}]", c.r, c.g, c.b); }
 
 std::string line(const RayRecord& ray, const Scene& scene) {
@@ -56,6 +63,7 @@ std::string line(const RayRecord& ray, const Scene& scene) {
     const Leaf& leaf = scene.leaf(ray.leaf);
     fmt::format_to(out, " {} {} (look {}) at t {:.9g}", to_string(leaf.place), word(leaf.kind), ray.look.index(),
                    ray.t);
+    fmt::format_to(out, " on surface {} ({})", ray.surface.index(), surface_word(scene.surface(ray.surface)));
   }
   const bool reaches = ray.fate == Fate::hit || ray.fate == Fate::left || ray.fate == Fate::at_depth_limit;
   if (reaches || ray.fate == Fate::below_cutoff) fmt::format_to(out, ", weight {}", text(ray.weight));

@@ -33,6 +33,7 @@ struct RayRecord {
   Rgb weight{1, 1, 1};  ///< the share of what it finds that reaches the pixel (shadow rays: of the light that passes)
   double t = 0;         ///< distance to the hit
   LeafId leaf{};        ///< the leaf that it met
+  SurfaceId surface{};  ///< the surface of its that it met
   LookId look{};
   bool total = false;     ///< a reflection that takes what total internal reflection keeps from being transmitted
   std::size_t light = 0;  ///< the light of a shadow ray, from 0

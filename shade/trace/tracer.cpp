@@ -108,6 +108,7 @@ void Tracer::run(const Task& arriving) {
                       .weight = task.weight,
                       .t = boundary->t,
                       .leaf = boundary->face.leaf,
+                      .surface = boundary->surface,
                       .look = boundary->face.look,
                       .total = task.total});
   }

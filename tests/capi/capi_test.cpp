@@ -57,6 +57,17 @@ TEST_CASE("C: intervals, points and measures of a text") {
   const double volume = 1 + 4.0 / 3 * M_PI;
   CHECK(std::fabs(measures.volume - volume) <= measures.volume_error + 1e-14);
   CHECK(measures.lower[1] == Approx(-1).margin(1e-8));
+  CHECK(measures.principal_error > 0);
+  CHECK(measures.principal_error < 1e-4 * measures.principal_moments[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    // J v = l v, with J as the struct tells it.
+    const double* v = measures.principal_axes + 3 * i;
+    const double* j = measures.inertia;
+    const double product = j[0] * v[0] + j[3] * v[1] + j[4] * v[2];
+    CHECK(product == Approx(measures.principal_moments[i] * v[0]).margin(1e-12));
+    CHECK(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] == Approx(1));
+    CHECK(measures.principal_angles[i] > 0);
+  }
 }
 
 TEST_CASE("C: first hits, any hits, parts, and measures of parts") {

@@ -33,6 +33,7 @@ statements  10: camera 1, color 1, cube 1, cylinder 1, difference 1, light 1, mu
 depth       3
 leaves      3: cube 1, cylinder 1, sphere 1
 surfaces    8: planes 6, quadrics 2; shared by several leaves 2
+quadrics    circular cylinder 1, sphere 1
 welded      nothing
 tree        5 nodes after simplification, leaves included
 parts       1
@@ -50,6 +51,25 @@ warnings    1
   CHECK(outcome.err.substr(0, outcome.err.find(" warning:")) == "scene.csg:9:1:");
 }
 
+TEST_CASE("info as JSON tells the kind, place and size of each quadric") {
+  const TemporaryFolder folder;
+  folder.write("scene.csg", R"(translate([1, 2, 3]) { sphere(r = 2, $fn = 50); }
+translate([9, 0, 0]) { rotate([90, 0, 0]) { cylinder(h = 2, r = 0.5); } }
+translate([0, 0, 20]) { cylinder(h = 2, r1 = 2, r2 = 0); }
+)");
+  const std::string json = run(folder, {"info", "scene.csg", "--format", "json"}).out;
+  const auto has = [&](const std::string& part) {
+    INFO(part << " in " << json);
+    CHECK(json.find(part) != std::string::npos);
+  };
+  has(R"("quadrics_by_kind": {"circular cone": 1, "circular cylinder": 1, "sphere": 1})");
+  has(R"("kind": "sphere", "center": [1, 2, 3], "axes": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "axes_error": [null, null, null], "semi_axes": [2, 2, 2], "relative_error": )");
+  has(R"("kind": "circular cylinder", "center": [9, 0, 0])");
+  has(R"("semi_axes": [0.5, 0.5, null])");
+  has(R"("kind": "circular cone", "center": [0, 0, 22])");
+  has(R"("half_angles": [45, 45])");
+}
+
 TEST_CASE("info as JSON") {
   const TemporaryFolder folder;
   folder.write("scene.csg", "part(\"a\\\\\\n\\\"b\") { halfspace(n = [0, 0, 1], d = 2); }");
@@ -63,6 +83,8 @@ TEST_CASE("info as JSON") {
   "leaves": 1,
   "leaves_by_kind": {"halfspace": 1},
   "surfaces": {"planes": 1, "quadrics": 0, "shared": 0},
+  "quadrics_by_kind": {},
+  "quadrics": [],
   "welded": {
     "surfaces": 0,
     "clusters": 0,

@@ -20,14 +20,32 @@ TEST_CASE("measure as a table: numbers with their errors, then the parts") {
   CHECK(contains(outcome.out, " ± "));
 }
 
+TEST_CASE("measure tells principal moments with their axes, or that those are undetermined") {
+  const TemporaryFolder folder;
+  folder.write("box.csg", "rotate([0, 0, 90]) { cube([1, 2, 3]); }");
+  folder.write("ball.csg", "sphere(r = 1, $fn = 50);");
+  const std::string box = run(folder, {"measure", "box.csg"}).out;
+  INFO(box);
+  CHECK(contains(box, "principal   2.5"));
+  CHECK(contains(box, "            6.5"));
+  CHECK(contains(box, " radians\n"));
+  CHECK(!contains(box, "undetermined"));
+  CHECK(contains(run(folder, {"measure", "ball.csg"}).out, " about an undetermined axis\n"));
+  const std::string json = run(folder, {"measure", "ball.csg", "--format", "json"}).out;
+  CHECK(contains(json, "\"axis\": null, \"axis_error\": null}"));
+}
+
 TEST_CASE("measure as JSON has every key of the manual") {
   const TemporaryFolder folder;
   folder.write("scene.csg", "part(\"ball\") { sphere(r = 1, $fn = 50); }");
   const Outcome outcome = run(folder, {"measure", "scene.csg", "--format", "json", "--relative-error", "1e-6"});
   CHECK(outcome.exit_code == 0);
-  for (const char* key : {"unbounded", "volume", "volume_error", "area", "area_error", "mass", "mass_error", "centroid",
-                          "centroid_error", "inertia", "inertia_error", "bounds", "bounds_error", "cells", "as_asked",
-                          "seconds", "parts", "name", "density"})
+  for (const char* key : {"unbounded",      "volume",       "volume_error",  "area",
+                          "area_error",     "mass",         "mass_error",    "centroid",
+                          "centroid_error", "inertia",      "inertia_error", "principal",
+                          "moment",         "axis",         "axis_error",    "principal_error",
+                          "bounds",         "bounds_error", "cells",         "as_asked",
+                          "seconds",        "parts",        "name",          "density"})
     CHECK(contains(outcome.out, std::string("\"") + key + "\": "));
   CHECK(contains(outcome.out, "\"volume\": 4.1887"));
   CHECK(contains(outcome.out, "\"as_asked\": true"));

@@ -159,6 +159,7 @@ TEST_CASE("the option --trace-pixel prints the rays of one pixel, with a picture
   CHECK(alone.exit_code == 0);
   CHECK(alone.out.substr(0, 12) == "pixel 20,15:");
   CHECK(alone.out.find("primary") != std::string::npos);
+  CHECK(alone.out.find(" on surface ") != std::string::npos);
   std::vector<std::string> both = pixel;
   both.insert(both.end(), {"-o", "a.png"});
   CHECK(run(folder, both).out == alone.out);

@@ -14,7 +14,8 @@ take and give arrays of numbers as spans or vectors, not as pointers, but for th
 
 Classes. The member functions of a class stand in one .cpp, or in several that all bear the class's name.
 
-Libraries. Each library of a kind of picture is seen by one file of shade/, CGAL by the tests only.
+Libraries. Each library of a kind of picture is seen by one file of shade/, CGAL by the tests only. No public header
+includes Eigen, but for the one that is about it (EIGEN_HEADERS).
 
 Tests. A file with test cases is called *_test.cpp, and only such a file. Names of test cases have no semicolon, at
 which CTest parts them.
@@ -55,6 +56,7 @@ FLOORS = [
 ]
 APART = {("raycast/cells", "raycast/ray"), ("raycast/ray", "raycast/cells/formula")}  # whatever their floors
 SHARED = {"raycast/simd": ["shade"]}  # a room whose headers are not public, and the modules that see it all the same
+EIGEN_HEADERS = ["query/eigen_views.h"]  # the public headers whose users need Eigen
 MOST_FILES = 30
 LONG_FILE, LONG_FUNCTION = 400, 60
 
@@ -165,6 +167,8 @@ def check_includes(name, text, own_header, public):
             yield f"{name}:{line}: {breach}"
         elif path.startswith("CGAL/") and module != "tests":
             yield f"{name}:{line}: CGAL is for the tests alone"
+        elif path.startswith("Eigen/") and name in public and name not in EIGEN_HEADERS:
+            yield f"{name}:{line}: a public header that all users of the module would need Eigen for"
         elif (library := picture_library(path)) and module not in ("shade", "tests"):
             yield f"{name}:{line}: {library} is for one file of shade alone"
 

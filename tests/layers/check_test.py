@@ -118,6 +118,10 @@ class Breach(unittest.TestCase):
     def test_cgal_in_the_product(self):
         self.assert_breach("CGAL", {"csg/base/a.cpp": "#include <CGAL/Gmpq.h>\n"})
 
+    def test_eigen_in_a_public_header(self):
+        listed = {"csg/CMakeLists.txt": listing("base/a.h"), "csg/base/b.h": "#include <Eigen/Core>\n"}
+        self.assert_breach("csg/base/a.h:1: a public header that all users", {**listed, "csg/base/a.h": "#include <Eigen/Core>\n"})
+
     def test_a_library_of_pictures_outside_shade(self):
         self.assert_breach("libpng", {"cli/a.cpp": "#include <png.h>\n"})
         self.assert_breach("OpenEXR", {"cli/a.cpp": "#include <ImfOutputFile.h>\n"})

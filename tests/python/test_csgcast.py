@@ -96,6 +96,17 @@ def test_other_types_and_layouts_give_the_same(model):
     assert np.array_equal(model.intervals(origins.tolist(), [0, 0, 1]).t, want)
 
 
+def test_principal_moments_hold():
+    m = csgcast.cube([1, 2, 3]).rotate([0, 0, 30]).translate([9, 9, 9]).compile().measure(1e-8)
+    assert np.abs(m.principal_moments - [2.5, 5, 6.5]).max() <= m.principal_error + 1e-13 < 1e-5
+    assert m.principal_axes.shape == (3, 3) and m.principal_angles.shape == (3,)
+    assert np.allclose(m.inertia, m.principal_axes.T @ np.diag(m.principal_moments) @ m.principal_axes, atol=1e-12)
+    assert np.linalg.det(m.principal_axes) > 0.999
+    assert (m.principal_angles < 1e-5).all()
+    assert abs(m.principal_axes[0][2]) > 1 - 1e-10  # the longest side
+    assert np.isinf(csgcast.sphere(1).compile().measure().principal_angles).all()
+
+
 def test_measures_hold():
     ball = csgcast.sphere(2).translate([1, 2, 3]).part("ball", 3).compile()
     m = ball.measure(1e-8)

@@ -75,7 +75,9 @@ class Measures:
     """What a body comes to. The true value is within each error, rounding included.
 
     centroid (3,) is the centre of mass, inertia (3, 3) the tensor about it; centroid_error and inertia_error are of each
-    number. bounds (2, 3) holds the solid, which is nowhere farther than bounds_error from a side; None if it is empty. Of a
+    number. principal_moments (3,) are the tensor's eigenvalues, ascending, each within principal_error; principal_axes (3, 3)
+    has a unit row for each, right-handed, which is principal_angles (3,) radians from the true axis at most: inf if it is
+    undetermined, as moments come too near each other. bounds (2, 3) holds the solid, which is nowhere farther than bounds_error from a side; None if it is empty. Of a
     solid that may be unbounded (is_bounded False) nothing is measured. parts: of each part as if it were alone, with
     name and density; the whole's mass, centroid and inertia are those of the parts with their densities, the first where
     they overlap, and of the rest with density 1.
@@ -91,6 +93,10 @@ class Measures:
     centroid_error: float
     inertia: object
     inertia_error: float
+    principal_moments: object
+    principal_error: float
+    principal_axes: object
+    principal_angles: object
     bounds: object
     bounds_error: float
     cells: int

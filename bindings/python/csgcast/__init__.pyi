@@ -83,6 +83,10 @@ class Measures:
     centroid_error: float
     inertia: NDArray[np.float64]
     inertia_error: float
+    principal_moments: NDArray[np.float64]
+    principal_error: float
+    principal_axes: NDArray[np.float64]
+    principal_angles: NDArray[np.float64]
     bounds: Optional[NDArray[np.float64]]
     bounds_error: float
     cells: int
