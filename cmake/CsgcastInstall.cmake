@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/csgcast)
 
-set(libraries csg raycast measure query capi shade verify)
+set(libraries csg raycast measure query shade model capi verify)
 list(TRANSFORM libraries PREPEND csgcast_)
 install(TARGETS ${libraries} EXPORT csgcast-targets FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/csgcast)
 install(EXPORT csgcast-targets NAMESPACE csgcast:: DESTINATION ${package_dir})

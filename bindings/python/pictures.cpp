@@ -10,7 +10,7 @@
 #include "csg/text/statement/solid_text.h"
 #include "csg/text/syntax/reader.h"
 #include "csg/text/syntax/writer.h"
-#include "query/model.h"
+#include "model/model.h"
 #include "shade/film/view.h"
 #include "shade/picture/image_file.h"
 #include "shade/trace/render.h"

@@ -5,7 +5,7 @@
 #include "measure/check.h"
 #include "measure/section.h"
 #include "measure/thickness.h"
-#include "query/model.h"
+#include "model/model.h"
 
 // Sections and checks.
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "csg/base/error.h"
+#include "csg/base/precondition.h"
 #include "raycast/packets/threads.h"
 #include "shade/film/camera.h"
 #include "shade/trace/detail/shading_lanes.h"
@@ -149,7 +150,8 @@ void fill(Workers& workers, Film& film, const ProgressCallback& callback) {
 }
 
 // A picture, on the threads of the present arena.
-Film render_here(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report) {
+Film render_here(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report,
+                 const KeptCells& kept) {
   using Clock = std::chrono::steady_clock;
   const Camera camera(view.camera, options.width, options.height);
   // What is there before the first ray: memory for the picture, and the code for this machine. Before the cells, which
@@ -160,10 +162,11 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
   std::optional<Cells> cells;
   const bool suits_packets =
       options.mode == Mode::shaded ? detail::PacketTracer::suits(scene, view, camera) : camera.rays_are_in_range();
-  if (options.engine == Engine::packets && suits_packets) cells.emplace(scene);
+  const bool takes_cells = options.engine == Engine::packets && suits_packets;
+  if (takes_cells && kept.cells == nullptr) cells.emplace(scene);
   std::optional<LayerCells> layer_cells;
-  const bool suits_layers = options.mode == Mode::shaded && LayerCells::suits(scene) && view.settings.max_depth > 0;
-  if (options.engine == Engine::packets && suits_layers) layer_cells.emplace(scene);
+  const bool takes_layers = asks_layers(scene, view, options);
+  if (takes_layers && kept.layer_cells == nullptr) layer_cells.emplace(scene);
   const auto start = Clock::now();
   const double cpu_start = cpu_seconds();
   const int grid = grid_of(options);
@@ -174,8 +177,8 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
                         .mode = options.mode,
                         .grid = grid,
                         .sampling = sampling,
-                        .cells = cells ? &*cells : nullptr,
-                        .layer_cells = layer_cells ? &*layer_cells : nullptr,
+                        .cells = cells ? &*cells : takes_cells ? kept.cells : nullptr,
+                        .layer_cells = layer_cells ? &*layer_cells : takes_layers ? kept.layer_cells : nullptr,
                         .instructions = options.instructions};
   Workers workers(job, options.width, options.height);
   const bool adaptive = sampling == Sampling::adaptive;
@@ -213,10 +216,18 @@ FilmContent content(Mode mode) {
   return FilmContent::color;
 }
 
-Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report) {
+bool asks_layers(const Scene& scene, const View& view, const RenderOptions& options) {
+  return options.engine == Engine::packets && options.mode == Mode::shaded && LayerCells::suits(scene) &&
+         view.settings.max_depth > 0;
+}
+
+Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report,
+            const KeptCells& kept) {
+  CSGCAST_PRECONDITION(kept.cells == nullptr || &kept.cells->scene() == &scene);
+  CSGCAST_PRECONDITION(kept.layer_cells == nullptr || &kept.layer_cells->scene() == &scene);
   check(options);
   std::optional<Film> film;
-  on_threads(options.threads, [&] { film = render_here(scene, view, options, report); });
+  on_threads(options.threads, [&] { film = render_here(scene, view, options, report, kept); });
   return std::move(*film);
 }
 

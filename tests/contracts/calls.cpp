@@ -10,7 +10,7 @@
 #include "measure/measure.h"
 #include "measure/section.h"
 #include "measure/thickness.h"
-#include "query/model.h"
+#include "model/model.h"
 #include "shade/trace/render.h"
 #include "tests/support/random_solid.h"
 #include "verify/verification.h"

@@ -16,7 +16,7 @@
 #include "csg/text/syntax/reader.h"
 #include "measure/measure.h"
 #include "measure/section.h"
-#include "query/model.h"
+#include "model/model.h"
 #include "raycast/packets/packet_caster.h"
 #include "shade/picture/image_file.h"
 #include "shade/trace/render.h"
