@@ -32,8 +32,8 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// Three numbers. Throws ValueError, naming the argument.
 Vector vector_from(const py::handle& value, const char* name);
 
-/// Linear light: three numbers that are not negative, or a CSS name or '#rrggbb', which count as sRGB. Throws ValueError,
-/// naming the argument.
+/// Linear light: three numbers that are not negative, or a CSS name or '#rrggbb', which count as sRGB. Throws
+/// ValueError, naming the argument.
 Rgb light_from(const py::handle& value, const char* name);
 
 /// `count` rows of three, from an array of shape (count, 3), or (3,) for one. Throws ValueError.
@@ -61,7 +61,8 @@ class Callbacks {
   /// Asks a callable about a number; None says no.
   std::function<bool(double)> question(const py::object& callable);
 
-  /// Calls `work` without Python's lock, on the threads. Throws what a callback raised, an interrupt, or what the work throws.
+  /// Calls `work` without Python's lock, on the threads. Throws what a callback raised, an interrupt, or what the work
+  /// throws.
   template <class Work>
   auto run(Work&& work) {
     std::optional<decltype(work())> result;

@@ -7,7 +7,6 @@
 
 #include "bindings/python/bind.h"
 #include "csg/base/error.h"
-#include "measure/measure.h"
 #include "model/model.h"
 
 namespace csgcast::python {
@@ -180,30 +179,21 @@ std::shared_ptr<Model> model_of(const What& what, std::optional<double> weld) {
 
 void bind_queries(py::module_& m) {
   py::class_<Model, std::shared_ptr<Model>>(m, "_Model")
-      .def(py::init([](const Solid& solid, std::optional<double> weld) {
-             const Welding welding = !weld ? Welding::derived() : *weld == 0 ? Welding{} : Welding::by_hand(*weld);
-             const py::gil_scoped_release unlocked;
-             return std::make_shared<Model>(solid, welding);
-           }),
-           "solid"_a, "weld"_a = py::none())
+      .def(py::init(&model_of<Solid>), "solid"_a, "weld"_a = py::none())
+      .def(py::init(&model_of<SceneDescription>), "description"_a, "weld"_a = py::none())
       .def("intervals", intervals)
       .def("first_hits", first_hits)
       .def("any_hits", any_hits)
       .def("locate", locate)
       .def("measure", measure_model)
-      .def("leaf", leaf_place)
-      .def("bounds", [](const Model& model) { return box_array(model.scene().bounds()); })
-      .def("part_names",
-           [](const Model& model) {
-             std::vector<std::string> names;
-             for (const Part& part : model.scene().parts()) names.push_back(part.name.name);
-             return names;
-           })
+      .def("leaf", leaf_name)
+      .def("bounds", [](const Model& model) { return box_array(model.bounds()); })
+      .def("part_names", &Model::part_names)
       .def("counts", [](const Model& model) {
-        const Cells::Counts counts = model.cells().counts();
+        const ModelCounts counts = model.counts();
         py::dict d;
-        d["leaves"] = model.scene().leaves().size();
-        d["surfaces"] = model.scene().surfaces().size();
+        d["leaves"] = counts.leaves;
+        d["surfaces"] = counts.surfaces;
         d["cells"] = counts.cells;
         d["bytes"] = counts.bytes;
         return d;

@@ -71,7 +71,7 @@ TEST_CASE("A model answers rays, points and measures as the functions of the oth
 TEST_CASE("A model tells its names, counts and bounds") {
   const Model model(glass_and_steel());
   CHECK(model.part_names() == std::vector<std::string>{"glass", "steel"});
-  CHECK(model.leaf_name(LeafId(0)) == "sphere at a.csg:3:63");
+  CHECK(model.leaf_name(LeafId(0)) == "sphere at a.csg:3:59");
   CHECK(Model(sphere(1)).leaf_name(LeafId(0)) == "sphere");
   CHECK_THROWS_AS(model.leaf_name(LeafId(2)), Error);
   CHECK_THROWS_AS(model.leaf_name(LeafId()), Error);
