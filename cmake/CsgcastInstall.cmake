@@ -12,3 +12,5 @@ configure_package_config_file(cmake/csgcast-config.cmake.in csgcast-config.cmake
 write_basic_package_version_file(csgcast-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/csgcast-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/csgcast-config-version.cmake
         DESTINATION ${package_dir})
+include(CsgcastPkgConfig)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
