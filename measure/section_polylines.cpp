@@ -25,6 +25,14 @@ double dot(PlaneVector a, PlaneVector b) { return a.u * b.u + a.v * b.v; }
 double cross(PlaneVector a, PlaneVector b) { return a.u * b.v - a.v * b.u; }
 PlaneVector turned(PlaneVector a) { return {-a.v, a.u}; }
 
+/// The longest coordinate of an arc's points.
+double longest(const SectionArc& arc) {
+  double most = 0;
+  for (const PlanePoint& p : {arc.from, arc.middle, arc.to})
+    most = std::fmax(most, std::fmax(std::fabs(p.u), std::fabs(p.v)));
+  return most;
+}
+
 /// A conic's arcs by their chords. A line meets a conic twice at most, so an arc lies on one side of its chord; the
 /// point farthest from the chord, the shoulder, is where the tangent is along it.
 class ArcFlattener {
@@ -122,7 +130,7 @@ std::vector<std::vector<PlanePoint>> section_polylines(const Section& section, d
       points.push_back(arc.from);
       if (arc.is_straight()) continue;
       // An arc may go nearly round: halves of it have chords that tell their sides.
-      ArcFlattener flattener(arc.conic, tolerance, points);
+      ArcFlattener flattener(arc.conic, std::fmax(tolerance, 0x1p-50 * longest(arc)), points);
       const auto beyond = [](PlanePoint p, PlanePoint a, PlanePoint b) {
         return PlanePoint{a.u + b.u - p.u, a.v + b.v - p.v};
       };

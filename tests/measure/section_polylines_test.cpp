@@ -75,7 +75,10 @@ TEST_CASE("polylines refuse what makes no sense") {
   const Section round = section(ball, {{0, 0, 1}, 0});
   for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")})
     CHECK_THROWS_AS(section_polylines(round, tolerance), Error);
-  CHECK_FALSE(section_polylines(round, 1e-300).empty());  // as far as doubles can tell
+  CHECK_THROWS_AS(section_polylines(round, 1e-300), Error);  // as many points as there are doubles
+  // An arc of few doubles takes few points.
+  const auto short_one = section_of({1, 0, 1, 0, 0, -1}, {1, 0}, {1, 1e-9}, {1, 2e-9});
+  CHECK(section_polylines(short_one, 1e-300)[0].size() < 10);
   const Section unbounded = section(compile(halfspace({0, 0, 1}, 0)), {{1, 0, 0}, 0});
   CHECK_THROWS_AS(section_polylines(unbounded, 1), Error);
   CHECK(section_polylines(section(ball, {{0, 0, 1}, 9}), 1).empty());
