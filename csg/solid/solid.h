@@ -114,8 +114,8 @@ Solid complement(Solid solid);
 /// A singular transform gives the empty solid; the caller warns. Transforms of transforms compose exactly, as many as
 /// there are; a * b (csg/exact/composition.h) is one rounded matrix. Precondition: finite entries.
 Solid transformed(Solid solid, const Transform& world_from_solid);
-/// Both throw Error(bad_value) for what a scene text refuses: an empty name, a density that is negative or not finite, a
-/// material or paint out of its range (csg/solid/rules/rules.h).
+/// Both throw Error(bad_value) for what a scene text refuses: an empty name, a density that is negative or not finite,
+/// a material or paint out of its range (csg/solid/rules/rules.h).
 Solid named(Solid solid, PartName name);
 Solid with_look(Solid solid, LookStatement look);
 

@@ -159,14 +159,16 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
   Film film(options.width, options.height, content(options.mode));
   detail::shading_code(options.instructions);
   const auto before_cells = Clock::now();
-  std::optional<Cells> cells;
+  std::optional<Cells> own_cells;
+  const Cells* cells = nullptr;
   const bool suits_packets =
       options.mode == Mode::shaded ? detail::PacketTracer::suits(scene, view, camera) : camera.rays_are_in_range();
-  const bool takes_cells = options.engine == Engine::packets && suits_packets;
-  if (takes_cells && kept.cells == nullptr) cells.emplace(scene);
-  std::optional<LayerCells> layer_cells;
-  const bool takes_layers = asks_layers(scene, view, options);
-  if (takes_layers && kept.layer_cells == nullptr) layer_cells.emplace(scene);
+  if (options.engine == Engine::packets && suits_packets)
+    cells = kept.cells != nullptr ? kept.cells : &own_cells.emplace(scene);
+  std::optional<LayerCells> own_layer_cells;
+  const LayerCells* layer_cells = nullptr;
+  if (asks_layers(scene, view, options))
+    layer_cells = kept.layer_cells != nullptr ? kept.layer_cells : &own_layer_cells.emplace(scene);
   const auto start = Clock::now();
   const double cpu_start = cpu_seconds();
   const int grid = grid_of(options);
@@ -177,8 +179,8 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
                         .mode = options.mode,
                         .grid = grid,
                         .sampling = sampling,
-                        .cells = cells ? &*cells : takes_cells ? kept.cells : nullptr,
-                        .layer_cells = layer_cells ? &*layer_cells : takes_layers ? kept.layer_cells : nullptr,
+                        .cells = cells,
+                        .layer_cells = layer_cells,
                         .instructions = options.instructions};
   Workers workers(job, options.width, options.height);
   const bool adaptive = sampling == Sampling::adaptive;
