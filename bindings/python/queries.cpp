@@ -169,18 +169,17 @@ Welding welding_from(std::optional<double> weld) {
 
 /// Of a solid, or of a description.
 template <class What>
-std::shared_ptr<Model> model_of(const What& what, std::optional<double> weld) {
+std::shared_ptr<Model> model_of(const What& what, std::optional<double> weld, int threads) {
   const Welding welding = welding_from(weld);
-  const py::gil_scoped_release unlocked;
-  return std::make_shared<Model>(What(what), welding);
+  return Callbacks(py::none(), threads).run([&] { return std::make_shared<Model>(What(what), welding); });
 }
 
 }  // namespace
 
 void bind_queries(py::module_& m) {
   py::class_<Model, std::shared_ptr<Model>>(m, "_Model")
-      .def(py::init(&model_of<Solid>), "solid"_a, "weld"_a = py::none())
-      .def(py::init(&model_of<SceneDescription>), "description"_a, "weld"_a = py::none())
+      .def(py::init(&model_of<Solid>), "solid"_a, "weld"_a, "threads"_a)
+      .def(py::init(&model_of<SceneDescription>), "description"_a, "weld"_a, "threads"_a)
       .def("intervals", intervals)
       .def("first_hits", first_hits)
       .def("any_hits", any_hits)

@@ -238,6 +238,16 @@ def test_any_number_of_threads_gives_the_same(model, name):
         call(model, -1)
 
 
+def test_models_are_made_on_any_number_of_threads(model):
+    want = model.intervals(MANY, [0, 0, 1]).t
+    for threads in (1, 3):
+        assert np.array_equal(angel().compile(threads=threads).intervals(MANY, [0, 0, 1]).t, want)
+        assert csgcast.Scene(angel()).compile(threads=threads).counts == model.counts
+    for solid in (angel(), csgcast.Scene(angel())):
+        with pytest.raises(ValueError, match="threads"):
+            solid.compile(threads=-1)
+
+
 def test_one_thread_is_the_one_that_calls(model):
     callers = set()
     model.intervals(MANY, [0, 0, 1], threads=1, progress=lambda share: callers.add(threading.get_ident()))

@@ -249,12 +249,12 @@ class Model:
     the end; by any thread, but never by two at once. If it returns False the call is cancelled and raises Cancelled; None, or
     anything else, goes on. What it raises ends the call and is raised there; so is KeyboardInterrupt after Ctrl-C.
 
-    threads: how many of them work on a call; 0: one a core. What calls return does not depend on it.
+    threads: how many of them work on a call, or on making the model; 0: one a core. Results do not depend on it.
     """
 
-    def __init__(self, solid, weld=None, _description=None):
+    def __init__(self, solid, weld=None, _description=None, *, threads=0):
         self._description = _description or _core._Description()
-        self._model = _core._Model(_description or solid, weld)
+        self._model = _core._Model(_description or solid, weld, threads)
 
     def intervals(self, origins, directions, *, t_min=0.0, t_max=_inf, line=False, faces=True, normals=True, threads=0, progress=None):
         """All intervals of each ray that lie in [t_min, t_max], or on its whole line, as Intervals. Without faces and normals
@@ -393,9 +393,9 @@ class Scene:
         parts = self.parts
         return f"<csgcast.Scene: {len(parts)} parts{': ' if parts else ''}{', '.join(map(repr, parts[:4]))}{', ..' if len(parts) > 4 else ''}>"
 
-    def compile(self, weld=None):
-        """A Model of the solid that renders under its camera and lights; see Model for weld."""
-        return Model(self._description.solid, weld, self._description)
+    def compile(self, weld=None, *, threads=0):
+        """A Model of the solid that renders under its camera and lights; see Model for weld and threads."""
+        return Model(self._description.solid, weld, self._description, threads=threads)
 
 
 def load(path, facets="auto"):
@@ -409,9 +409,9 @@ def read(text, facets="auto"):
     return Scene._of(_core._read(text, facets))
 
 
-def _compile(self, weld=None):
-    """A Model of the solid, ready for questions; see Model for weld."""
-    return Model(self, weld)
+def _compile(self, weld=None, *, threads=0):
+    """A Model of the solid, ready for questions; see Model for weld and threads."""
+    return Model(self, weld, threads=threads)
 
 
 def _to_text(self):
