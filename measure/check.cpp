@@ -159,6 +159,11 @@ const char* word(const Scene& scene, const Redundancy& redundancy) {
   }
 }
 
+std::string name_of(const Scene& scene, const Redundancy& redundancy) {
+  const std::string kind = word(scene, redundancy);
+  return redundancy.place.line > 0 ? kind + " at " + to_string(redundancy.place) : kind;
+}
+
 const char* reason(Redundancy::Why why) {
   switch (why) {
     case Redundancy::Why::is_empty:

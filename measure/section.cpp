@@ -113,4 +113,10 @@ Section section(const Scene& scene, const Plane& plane, const SectionOptions& op
   return result;
 }
 
+void require_bounded(const Section& section) {
+  if (section.is_bounded) return;
+  throw Error(ErrorCode::usage, {}, "there is no picture of the section", "the solid may be unbounded",
+              "intersect it with a box, or take parts of it alone");
+}
+
 }  // namespace csgcast

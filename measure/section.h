@@ -66,4 +66,8 @@ struct SectionOptions {
 /// Throws Error(bad_value) for a normal that is zero or numbers that are not finite; Cancelled.
 Section section(const Scene& scene, const Plane& plane, const SectionOptions& options = {});
 
+/// What everybody asks who draws a section: throws Error(usage) for one of a solid that may be unbounded, which has no
+/// arcs.
+void require_bounded(const Section& section);
+
 }  // namespace csgcast

@@ -156,7 +156,10 @@ class PathWriter {
 
 }  // namespace
 
+double unseen_tolerance(const Section& section) { return 1e-6 * std::sqrt(section.area.value) + section.place_error; }
+
 PlaneRectangle seen_rectangle(const Section& section) {
+  require_bounded(section);
   PathWriter path(1);
   for (const SectionLoop& loop : section.loops) path.add(loop);
   if (!path.has_bounds()) return {{0, 0}, {1, 1}};
@@ -166,6 +169,7 @@ PlaneRectangle seen_rectangle(const Section& section) {
 }
 
 std::string section_svg(const Section& section, double tolerance) {
+  require_bounded(section);
   PathWriter path(tolerance);
   for (const SectionLoop& loop : section.loops) path.add(loop);
   const auto [least, greatest] = seen_rectangle(section);

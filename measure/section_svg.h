@@ -12,7 +12,11 @@ struct PlaneRectangle {
   PlanePoint greatest;
 };
 
-/// What a picture of a section shows: all of it, with a small margin.
+/// How far pictures of a section may be from it: less than anybody sees.
+double unseen_tolerance(const Section& section);
+
+/// What a picture of a section shows: all of it, with a small margin. Throws Error(usage) for a section that may be
+/// unbounded, as section_svg() does.
 PlaneRectangle seen_rectangle(const Section& section);
 
 /// A section as an SVG picture: one filled path of lines, elliptic arcs, which are exact but for the rounding of their

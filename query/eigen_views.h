@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "csg/base/error.h"
-#include "query/model.h"
+#include "query/ray_queries.h"
 
 // Rays and tables as matrices of Eigen, without a copy. No other header includes this one: only who includes it needs
 // Eigen (find_package(Eigen3)).

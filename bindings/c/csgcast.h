@@ -6,7 +6,12 @@
  *
  * Functions return CSGCAST_OK or an error; then csgcast_last_error() of the same thread says what was wrong, why, and
  * what to do. Numbers of points, origins and directions are 3 x count. A model may be asked by any number of threads at
- * once; a call works on all cores. Lengths are in the scene's unit. */
+ * once; a call works on all cores, unless csgcast_use_threads() says otherwise. Lengths are in the scene's unit.
+ *
+ * Structs of options begin with their size, and may grow: begin with the macro of the same name, as in
+ *   csgcast_render_options options = CSGCAST_RENDER_OPTIONS;
+ * Wherever options are taken NULL stands for what the macro says. What a later version adds is zero for programs that
+ * do not know it, and means what it was before. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -45,14 +50,16 @@ typedef enum csgcast_facets {
   CSGCAST_FACETS_NEVER = 2
 } csgcast_facets;
 
-/* What the functions above take as {CSGCAST_FACETS_AUTO, -1, NULL, 0}. */
 typedef struct csgcast_options {
+  size_t size; /* sizeof(csgcast_options) */
   csgcast_facets facets;
   double weld;              /* faces at most this share of the scene's size apart become one, at most 1/128; 0: none do;
                                -1: those that only the rounding of their own numbers keeps apart */
   const char* const* parts; /* the names of those that are all there is; NULL: the whole scene; none of them: nothing */
   size_t part_count;
 } csgcast_options;
+#define CSGCAST_OPTIONS \
+  { sizeof(csgcast_options), CSGCAST_FACETS_AUTO, -1, NULL, 0 }
 csgcast_status csgcast_load_with(const char* path, const csgcast_options* options, csgcast_model** model);
 csgcast_status csgcast_read_with(const char* text, size_t length, const char* name, const csgcast_options* options,
                                  csgcast_model** model);
@@ -63,6 +70,26 @@ void csgcast_free(csgcast_model* model);
 size_t csgcast_part_count(const csgcast_model* model);
 const char* csgcast_part_name(const csgcast_model* model, size_t part);
 double csgcast_part_density(const csgcast_model* model, size_t part);
+
+/* How large a model is. */
+typedef struct csgcast_counts {
+  size_t leaves;
+  size_t surfaces;
+  size_t parts;
+  size_t cells; /* that some surface crosses */
+  size_t bytes; /* memory of the cells */
+} csgcast_counts;
+csgcast_status csgcast_count(const csgcast_model* model, csgcast_counts* result);
+/* A box that holds the solid, quickly found and maybe wide; infinite where it may be unbounded. lower > upper if the
+ * solid is empty. */
+csgcast_status csgcast_bounds(const csgcast_model* model, double lower[3], double upper[3]);
+/* The kind of a leaf, and which statement made it: "sphere at part.csg:3:5". NULL beyond the last. Valid until this
+ * thread's next call of it. */
+const char* csgcast_leaf_name(const csgcast_model* model, uint32_t leaf);
+
+/* From now on the calls of this thread share their work among so many threads, at most 1024; 0: one a core, which is
+ * what holds at first. Results do not depend on it. */
+csgcast_status csgcast_use_threads(int threads);
 
 /* How far a call is. */
 typedef struct csgcast_progress {
@@ -133,6 +160,144 @@ csgcast_status csgcast_measure(const csgcast_model* model, double relative_error
 /* The same of the whole solid and of each part: result has room for 1 + csgcast_part_count(model). */
 csgcast_status csgcast_measure_parts(const csgcast_model* model, double relative_error, double area_error,
                                      const csgcast_monitor* monitor, csgcast_measures* result);
+
+/* An arc of a section: conic[0] u^2 + conic[1] uv + conic[2] v^2 + conic[3] u + conic[4] v + conic[5] = 0; a straight
+ * line if the first three are 0. Places are u, v; middle is somewhere between. The inside is on its left. */
+typedef struct csgcast_arc {
+  double conic[6];
+  double from[2], middle[2], to[2];
+  uint32_t surface;
+} csgcast_arc;
+
+/* What the plane plane[0] x + plane[1] y + plane[2] z = plane[3] cuts out; in the plane of a face what is just beyond
+ * it. The place u, v is origin + u * u_axis + v * v_axis in space. The arcs of loop i are [offsets[i], offsets[i + 1]).
+ */
+typedef struct csgcast_section {
+  int is_bounded; /* 0: the solid may be unbounded, and nothing is told */
+  int is_closed;  /* 0: some arcs have no neighbour, as the curves come too close to tell */
+  double origin[3], u_axis[3], v_axis[3];
+  double area, area_error;
+  double perimeter, perimeter_error;
+  double place_error; /* the ends of arcs are nearer than this to where they should be */
+  size_t loops;
+  const size_t* offsets; /* loops + 1 */
+  const csgcast_arc* arcs;
+  void* memory; /* csgcast's own */
+} csgcast_section;
+typedef struct csgcast_section_options {
+  size_t size;           /* sizeof(csgcast_section_options) */
+  double relative_error; /* of area and perimeter */
+} csgcast_section_options;
+#define CSGCAST_SECTION_OPTIONS \
+  { sizeof(csgcast_section_options), 1e-6 }
+csgcast_status csgcast_cut(const csgcast_model* model, const double plane[4], const csgcast_section_options* options,
+                           const csgcast_monitor* monitor, csgcast_section* result);
+void csgcast_free_section(csgcast_section* section);
+/* A section as an SVG picture within `tolerance` of its curves (0: less than anybody sees), and as a JSON object. *text
+ * is valid until the next such call for this section, which is one thread's at a time. */
+csgcast_status csgcast_section_svg(const csgcast_section* section, double tolerance, const char** text);
+csgcast_status csgcast_section_json(const csgcast_section* section, const char** text);
+/* The loops as polylines: no arc is farther than `tolerance` from its chords. The points u, v of loop i are
+ * [offsets[i], offsets[i + 1]), the last one the first again. Valid until the next such call for this section. */
+typedef struct csgcast_polylines {
+  size_t loops;
+  const size_t* offsets; /* loops + 1 */
+  const double* points;  /* 2 x offsets[loops] */
+} csgcast_polylines;
+csgcast_status csgcast_section_polylines(const csgcast_section* section, double tolerance, csgcast_polylines* result);
+/* Writes a section of this model as .svg, .json or .png, whose longer side has `pixels`, 1 to 16384. */
+csgcast_status csgcast_write_section(const csgcast_model* model, const csgcast_section* section, const char* path,
+                                     int pixels);
+
+/* A place on the boundary, and how far it is from there straight in, against the normal, to the boundary again. */
+typedef struct csgcast_thin_place {
+  int is_found; /* 0: the solid is empty, or may be unbounded */
+  double thickness;
+  double place[3];
+  double normal[3]; /* unit, out of the solid */
+  uint32_t leaf;    /* whose face it is */
+} csgcast_thin_place;
+/* The thinnest wall that samples x samples rays along each axis meet, 1 to 16384. No bound. */
+csgcast_status csgcast_thinnest(const csgcast_model* model, size_t samples, const csgcast_monitor* monitor,
+                                csgcast_thin_place* result);
+
+/* Two parts that share space: proved. `place` is in both. */
+typedef struct csgcast_overlap {
+  uint32_t first, second; /* parts */
+  double volume, volume_error;
+  double place[3];
+} csgcast_overlap;
+/* Two parts that may share `most`, or nothing. */
+typedef struct csgcast_contact {
+  uint32_t first, second;
+  double most;
+} csgcast_contact;
+/* A leaf or Boolean operator without which the shape would be the same: proved. */
+typedef struct csgcast_redundancy {
+  const char* name; /* "sphere at part.csg:3:5" */
+  const char* why;
+  uint32_t first_leaf, leaf_end; /* of those in it */
+} csgcast_redundancy;
+/* What may be wrong with a solid. */
+typedef struct csgcast_report {
+  int is_empty;
+  int is_unbounded; /* it may be */
+  size_t overlap_count, contact_count, unbounded_count, empty_count, redundancy_count;
+  const csgcast_overlap* overlaps;
+  const csgcast_contact* contacts;
+  const uint32_t* unbounded_parts;
+  const uint32_t* empty_parts;
+  const csgcast_redundancy* redundancies;
+  size_t not_asked; /* statements that were not asked, as they are among hundreds of others */
+  void* memory;     /* csgcast's own */
+} csgcast_report;
+csgcast_status csgcast_check(const csgcast_model* model, const csgcast_monitor* monitor, csgcast_report* result);
+void csgcast_free_report(csgcast_report* report);
+
+/* What a picture shows. */
+typedef enum csgcast_mode {
+  CSGCAST_SHADED = 0, /* light: 3 linear numbers a pixel */
+  CSGCAST_EDGES = 1,  /* a line drawing: 3 */
+  CSGCAST_XRAY = 2,   /* how long each ray is inside: 1 */
+  CSGCAST_DEPTH = 3,  /* how far the first boundary is from the eye, INFINITY if there is none: 1 */
+  CSGCAST_NORMAL = 4, /* which way the first boundary faces: 3 */
+  CSGCAST_ID = 5      /* which leaf it belongs to: 1 */
+} csgcast_mode;
+/* How many numbers a pixel has in that mode; 0 if there is no such mode. */
+size_t csgcast_channels(csgcast_mode mode);
+
+typedef struct csgcast_camera {
+  double eye[3], look_at[3], up[3];
+  double fov;    /* vertical, in degrees; of a perspective camera */
+  double height; /* what a parallel camera shows; 0: perspective */
+} csgcast_camera;
+typedef struct csgcast_light {
+  int is_directional; /* 0: `place` is where it is; else where its light goes */
+  double place[3];
+  double color[3]; /* linear */
+  double intensity;
+  double falloff; /* of one with a place: inverse-square, `intensity` is reached at this distance; 0: the same
+                     everywhere */
+} csgcast_light;
+typedef struct csgcast_render_options {
+  size_t size; /* sizeof(csgcast_render_options) */
+  int width, height;
+  int samples; /* rays a pixel, rounded up to a square number */
+  csgcast_mode mode;
+  int is_adaptive;              /* all samples only in pixels that do not look like those around */
+  const csgcast_camera* camera; /* NULL: the scene's, or one that frames the solid */
+  const csgcast_light* lights;  /* NULL: the scene's, or one beside the camera */
+  size_t light_count;
+  const double* background; /* 3 linear numbers; NULL: the scene's, or a pale blue */
+} csgcast_render_options;
+#define CSGCAST_RENDER_OPTIONS \
+  { sizeof(csgcast_render_options), 800, 600, 1, CSGCAST_SHADED, 0, NULL, NULL, 0, NULL }
+/* A picture: rows from the top, width x height x csgcast_channels() numbers, which `count` has to be. */
+csgcast_status csgcast_render(const csgcast_model* model, const csgcast_render_options* options,
+                              const csgcast_monitor* monitor, float* values, size_t count);
+/* The same as a file: .png, .jpg, .tif or .exr. It appears whole or not at all. */
+csgcast_status csgcast_render_file(const csgcast_model* model, const csgcast_render_options* options,
+                                   const csgcast_monitor* monitor, const char* path);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <string>
+
 #include "bindings/python/bind.h"
+#include "csg/base/length.h"
+#include "csg/text/syntax/color.h"
 
 namespace csgcast::python {
 
@@ -20,6 +24,24 @@ std::span<const double> triples_from(const Numbers& array, const char* name) {
   const bool are_rows = array.ndim() == 2 && array.shape(1) == 3;
   if (!is_one && !are_rows) throw py::value_error(fmt::format("{} must have shape (count, 3), or (3,) for one", name));
   return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+Rgb light_from(const py::handle& value, const char* name) {
+  if (!py::isinstance<py::str>(value)) {
+    const Vector v = vector_from(value, name);
+    if (!(v.x >= 0 && v.y >= 0 && v.z >= 0) || !is_finite(v))
+      throw py::value_error(fmt::format("{} must be three finite numbers that are not negative", name));
+    return {v.x, v.y, v.z};
+  }
+  const auto text = value.cast<std::string>();
+  const std::optional<Paint> paint = text::paint_from(text);
+  if (!paint) throw py::value_error("there is no color '" + text + "': give a CSS name, '#rrggbb' or numbers");
+  if (paint->alpha < 1) throw py::value_error(fmt::format("{} must be an opaque color, not '{}'", name, text));
+  return paint->color;
+}
+
+Callbacks::Callbacks(py::object progress, int threads) : progress_(std::move(progress)), threads_(threads) {
+  if (threads < 0) throw py::value_error("threads must not be negative; 0 is one a core");
 }
 
 namespace {

@@ -13,6 +13,8 @@
 
 #include "csg/base/progress.h"
 #include "csg/base/vector.h"
+#include "csg/solid/look.h"
+#include "raycast/packets/threads.h"
 
 namespace csgcast::python {
 
@@ -29,6 +31,10 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Three numbers. Throws ValueError, naming the argument.
 Vector vector_from(const py::handle& value, const char* name);
+
+/// Linear light: three numbers that are not negative, or a CSS name or '#rrggbb', which count as sRGB. Throws
+/// ValueError, naming the argument.
+Rgb light_from(const py::handle& value, const char* name);
 
 /// `count` rows of three, from an array of shape (count, 3), or (3,) for one. Throws ValueError.
 std::span<const double> triples_from(const Numbers& array, const char* name);
@@ -48,19 +54,21 @@ py::array array_of(std::vector<T>&& values, std::vector<py::ssize_t> shape) {
 /// that returns False or raises.
 class Callbacks {
  public:
-  explicit Callbacks(py::object progress) : progress_(std::move(progress)) {}
+  /// `threads`: as of on_threads(). Throws ValueError for a number below 0.
+  Callbacks(py::object progress, int threads);
 
   ProgressCallback progress();
   /// Asks a callable about a number; None says no.
   std::function<bool(double)> question(const py::object& callable);
 
-  /// Calls `work` without Python's lock. Throws what a callback raised, an interrupt, or what the work throws.
+  /// Calls `work` without Python's lock, on the threads. Throws what a callback raised, an interrupt, or what the work
+  /// throws.
   template <class Work>
   auto run(Work&& work) {
     std::optional<decltype(work())> result;
     try {
       const py::gil_scoped_release unlocked;
-      result.emplace(work());
+      on_threads(threads_, [&] { result.emplace(work()); });
     } catch (const Cancelled&) {
       if (error_) throw py::error_already_set(*error_);
       throw;
@@ -75,6 +83,7 @@ class Callbacks {
   bool asked(Call&& call);
 
   py::object progress_;
+  int threads_;
   std::optional<py::error_already_set> error_;
 };
 

@@ -7,8 +7,7 @@
 
 #include "bindings/python/bind.h"
 #include "csg/base/error.h"
-#include "measure/measure.h"
-#include "query/model.h"
+#include "model/model.h"
 
 namespace csgcast::python {
 namespace {
@@ -51,9 +50,9 @@ struct SpanOptions {
 };
 
 py::dict intervals(const Model& model, const Numbers& origins, const Numbers& directions, double t_min, double t_max,
-                   bool line, bool faces, bool normals, py::object callback) {
+                   bool line, bool faces, bool normals, py::object callback, int threads) {
   const RayInput input(origins, directions);
-  Callbacks callbacks(std::move(callback));
+  Callbacks callbacks(std::move(callback), threads);
   QueryOptions options;
   options.progress = callbacks.progress();
   options.span = SpanOptions{t_min, t_max, line}.span();
@@ -62,7 +61,7 @@ py::dict intervals(const Model& model, const Numbers& origins, const Numbers& di
   IntervalTable table = callbacks.run([&] { return model.intervals(input.rays(), options); });
   const auto count = static_cast<py::ssize_t>(table.count());
   py::dict result;
-  result["offsets"] = array_of<std::uint64_t>(std::move(table.offsets), {input.count() + 1});
+  result["offsets"] = array_of<std::int64_t>(std::move(table.offsets), {input.count() + 1});
   result["t"] = array_of<double>(std::move(table.t), {count, 2});
   result["surfaces"] = array_of<std::int32_t>(std::move(table.surfaces), {count, 2});
   result["leaves"] = faces ? py::object(array_of<std::int32_t>(std::move(table.leaves), {count, 2})) : py::none();
@@ -72,9 +71,9 @@ py::dict intervals(const Model& model, const Numbers& origins, const Numbers& di
 }
 
 py::tuple first_hits(const Model& model, const Numbers& origins, const Numbers& directions, double t_min, double t_max,
-                     py::object callback) {
+                     py::object callback, int threads) {
   const RayInput input(origins, directions);
-  Callbacks callbacks(std::move(callback));
+  Callbacks callbacks(std::move(callback), threads);
   QueryOptions options;
   options.progress = callbacks.progress();
   options.span = {t_min, t_max};
@@ -85,9 +84,9 @@ py::tuple first_hits(const Model& model, const Numbers& origins, const Numbers& 
 }
 
 py::array any_hits(const Model& model, const Numbers& origins, const Numbers& directions, double t_min, double t_max,
-                   py::object callback) {
+                   py::object callback, int threads) {
   const RayInput input(origins, directions);
-  Callbacks callbacks(std::move(callback));
+  Callbacks callbacks(std::move(callback), threads);
   QueryOptions options;
   options.progress = callbacks.progress();
   options.span = {t_min, t_max};
@@ -95,9 +94,9 @@ py::array any_hits(const Model& model, const Numbers& origins, const Numbers& di
 }
 
 /// 1 inside, 0 on the boundary, -1 outside.
-py::array locate(const Model& model, const Numbers& points, py::object callback) {
+py::array locate(const Model& model, const Numbers& points, py::object callback, int threads) {
   const auto numbers = triples_from(points, "points");
-  Callbacks callbacks(std::move(callback));
+  Callbacks callbacks(std::move(callback), threads);
   QueryOptions options;
   options.progress = callbacks.progress();
   const std::vector<Location> found = callbacks.run([&] { return model.locate(numbers, options); });
@@ -145,14 +144,14 @@ py::dict measures_dict(const Measures& m) {
 }
 
 py::dict measure_model(const Model& model, double relative_error, double area_error, py::object callback,
-                       const py::object& enough) {
-  Callbacks callbacks(std::move(callback));
+                       const py::object& enough, int threads) {
+  Callbacks callbacks(std::move(callback), threads);
   MeasureOptions options;
   options.relative_error = relative_error;
   options.relative_area_error = area_error;
   options.progress = callbacks.progress();
   options.is_enough = callbacks.question(enough);
-  const SceneMeasures measures = callbacks.run([&] { return measure(model.scene(), options); });
+  const SceneMeasures measures = callbacks.run([&] { return model.measure(options); });
   py::dict result = measures_dict(measures.whole);
   py::list parts;
   for (std::size_t i = 0; i < measures.parts.size(); ++i) {
@@ -166,42 +165,42 @@ py::dict measure_model(const Model& model, double relative_error, double area_er
   return result;
 }
 
-std::string leaf_place(const Model& model, std::int64_t leaf) {
-  const auto leaves = model.scene().leaves();
-  if (leaf < 0 || static_cast<std::size_t>(leaf) >= leaves.size()) throw py::index_error("there is no such leaf");
-  const Leaf& found = leaves[static_cast<std::size_t>(leaf)];
-  const std::string kind = word(found.kind);
-  return found.place.line > 0 ? kind + " at " + to_string(found.place) : kind;
+std::string leaf_name(const Model& model, std::int64_t leaf) {
+  if (leaf < 0 || static_cast<std::size_t>(leaf) >= model.scene().leaves().size())
+    throw py::index_error("there is no such leaf");
+  return model.leaf_name(LeafId(static_cast<std::uint32_t>(leaf)));
+}
+
+Welding welding_from(std::optional<double> weld) {
+  return !weld ? Welding::derived() : *weld == 0 ? Welding{} : Welding::by_hand(*weld);
+}
+
+/// Of a solid, or of a description.
+template <class What>
+std::shared_ptr<Model> model_of(const What& what, std::optional<double> weld, int threads) {
+  const Welding welding = welding_from(weld);
+  return Callbacks(py::none(), threads).run([&] { return std::make_shared<Model>(What(what), welding); });
 }
 
 }  // namespace
 
 void bind_queries(py::module_& m) {
   py::class_<Model, std::shared_ptr<Model>>(m, "_Model")
-      .def(py::init([](const Solid& solid, std::optional<double> weld) {
-             const Welding welding = !weld ? Welding::derived() : *weld == 0 ? Welding{} : Welding::by_hand(*weld);
-             const py::gil_scoped_release unlocked;
-             return std::make_shared<Model>(solid, welding);
-           }),
-           "solid"_a, "weld"_a = py::none())
+      .def(py::init(&model_of<Solid>), "solid"_a, "weld"_a, "threads"_a)
+      .def(py::init(&model_of<SceneDescription>), "description"_a, "weld"_a, "threads"_a)
       .def("intervals", intervals)
       .def("first_hits", first_hits)
       .def("any_hits", any_hits)
       .def("locate", locate)
       .def("measure", measure_model)
-      .def("leaf", leaf_place)
-      .def("bounds", [](const Model& model) { return box_array(model.scene().bounds()); })
-      .def("part_names",
-           [](const Model& model) {
-             std::vector<std::string> names;
-             for (const Part& part : model.scene().parts()) names.push_back(part.name.name);
-             return names;
-           })
+      .def("leaf", leaf_name)
+      .def("bounds", [](const Model& model) { return box_array(model.bounds()); })
+      .def("part_names", &Model::part_names)
       .def("counts", [](const Model& model) {
-        const Cells::Counts counts = model.cells().counts();
+        const ModelCounts counts = model.counts();
         py::dict d;
-        d["leaves"] = model.scene().leaves().size();
-        d["surfaces"] = model.scene().surfaces().size();
+        d["leaves"] = counts.leaves;
+        d["surfaces"] = counts.surfaces;
         d["cells"] = counts.cells;
         d["bytes"] = counts.bytes;
         return d;

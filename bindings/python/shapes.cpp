@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <tuple>
 
 #include "bindings/python/bind.h"
-#include "measure/check.h"
-#include "measure/section.h"
-#include "measure/thickness.h"
-#include "query/model.h"
+#include "measure/section_json.h"
+#include "measure/section_polylines.h"
+#include "measure/section_svg.h"
+#include "model/model.h"
+#include "model/section_file.h"
 
 // Sections and checks.
 
@@ -29,14 +35,14 @@ py::tuple loop_arrays(const SectionLoop& loop) {
                         array_of<std::int32_t>(std::move(surfaces), {count}));
 }
 
-py::dict cut(const Model& model, const py::object& normal, double distance, double relative_error,
-             py::object callback) {
+py::dict cut(const Model& model, const py::object& normal, double distance, double relative_error, py::object callback,
+             int threads) {
   const Plane plane{vector_from(normal, "normal"), distance};
   SectionOptions options;
   options.relative_error = relative_error;
-  Callbacks callbacks(std::move(callback));
+  Callbacks callbacks(std::move(callback), threads);
   options.progress = callbacks.progress();
-  const Section s = callbacks.run([&] { return section(model.scene(), plane, options); });
+  const Section s = callbacks.run([&] { return model.section(plane, options); });
   py::list loops;
   for (const SectionLoop& loop : s.loops) loops.append(loop_arrays(loop));
   py::dict d;
@@ -54,12 +60,12 @@ py::dict cut(const Model& model, const py::object& normal, double distance, doub
   return d;
 }
 
-py::dict checked(const Model& model, py::object callback) {
+py::dict checked(const Model& model, py::object callback, int threads) {
   const Scene& scene = model.scene();
-  Callbacks callbacks(std::move(callback));
+  Callbacks callbacks(std::move(callback), threads);
   CheckOptions options;
   options.progress = callbacks.progress();
-  const CheckReport report = callbacks.run([&] { return check(scene, options); });
+  const CheckReport report = callbacks.run([&] { return model.check(options); });
   const auto name = [&](PartId part) { return scene.parts()[part.index()].name.name; };
   py::dict d;
   py::list overlaps, undecided, unbounded, empty, redundant;
@@ -70,8 +76,7 @@ py::dict checked(const Model& model, py::object callback) {
   for (const PartId part : report.unbounded) unbounded.append(name(part));
   for (const PartId part : report.empty) empty.append(name(part));
   for (const Redundancy& r : report.redundant) {
-    const std::string kind = word(scene, r);
-    redundant.append(py::make_tuple(r.place.line > 0 ? kind + " at " + to_string(r.place) : kind, reason(r.why),
+    redundant.append(py::make_tuple(name_of(scene, r), reason(r.why),
                                     py::module_::import("builtins").attr("range")(r.first_leaf, r.leaf_end)));
   }
   d["overlaps"] = overlaps;
@@ -86,13 +91,82 @@ py::dict checked(const Model& model, py::object callback) {
 }
 
 /// The thickness, place, normal and leaf; None if there is no such place.
-py::object thinnest(const Model& model, std::size_t samples, py::object callback) {
-  if (samples == 0 || samples > 16384) throw py::value_error("samples must be between 1 and 16384");
-  Callbacks callbacks(std::move(callback));
-  const auto found = callbacks.run([&] { return find_thinnest(model.cells(), samples, callbacks.progress()); });
+py::object thinnest(const Model& model, std::int64_t samples, py::object callback, int threads) {
+  Callbacks callbacks(std::move(callback), threads);
+  const auto found = callbacks.run([&] {
+    return model.thinnest(static_cast<std::size_t>(std::max<std::int64_t>(samples, 0)), callbacks.progress());
+  });
   if (!found) return py::none();
   return py::make_tuple(found->thickness, vector_array(as_vector(found->place)), vector_array(as_vector(found->normal)),
                         found->leaf.index());
+}
+
+/// The section that a Section of csgcast/__init__.py tells of.
+Section section_from(const py::object& told) {
+  const auto number = [&](const char* name) { return told.attr(name).cast<double>(); };
+  Section s;
+  s.is_bounded = told.attr("is_bounded").cast<bool>();
+  s.is_closed = told.attr("is_closed").cast<bool>();
+  const Vector origin = vector_from(told.attr("origin"), "origin");
+  s.origin = {origin.x, origin.y, origin.z};
+  s.u = vector_from(told.attr("u"), "u");
+  s.v = vector_from(told.attr("v"), "v");
+  s.area = {number("area"), number("area_error")};
+  s.perimeter = {number("perimeter"), number("perimeter_error")};
+  s.place_error = number("place_error");
+  for (const py::handle& arcs : told.attr("loops")) {
+    const auto [points, conics, surfaces] = arcs.cast<std::tuple<Numbers, Numbers, py::array_t<std::int32_t>>>();
+    const py::ssize_t count = surfaces.size();
+    const bool has_points =
+        points.ndim() == 3 && points.shape(0) == count && points.shape(1) == 3 && points.shape(2) == 2;
+    const bool has_conics = conics.ndim() == 2 && conics.shape(0) == count && conics.shape(1) == 6;
+    if (!has_points || !has_conics || count == 0)
+      throw py::value_error("a loop has points (arcs, 3, 2), conics (arcs, 6) and surfaces (arcs,)");
+    SectionLoop& loop = s.loops.emplace_back();
+    for (py::ssize_t i = 0; i < count; ++i) {
+      SectionArc& arc = loop.emplace_back();
+      for (py::ssize_t k = 0; k < 6; ++k) arc.conic[static_cast<std::size_t>(k)] = conics.at(i, k);
+      py::ssize_t at = 0;
+      for (PlanePoint* point : {&arc.from, &arc.middle, &arc.to}) {
+        *point = {points.at(i, at, 0), points.at(i, at, 1)};
+        ++at;
+      }
+      arc.surface = SurfaceId(static_cast<std::uint32_t>(surfaces.at(i)));
+    }
+  }
+  return s;
+}
+
+std::string svg_of(const py::object& told, std::optional<double> tolerance) {
+  const Section s = section_from(told);
+  if (tolerance && !(*tolerance > 0 && std::isfinite(*tolerance)))
+    throw py::value_error("a tolerance must be above 0 and finite");
+  return section_svg(s, tolerance ? *tolerance : unseen_tolerance(s));
+}
+
+py::list polylines_of(const py::object& told, double tolerance) {
+  py::list lines;
+  for (const std::vector<PlanePoint>& line : section_polylines(section_from(told), tolerance)) {
+    std::vector<double> numbers;
+    for (const PlanePoint p : line) numbers.insert(numbers.end(), {p.u, p.v});
+    lines.append(array_of<double>(std::move(numbers), {static_cast<py::ssize_t>(line.size()), 2}));
+  }
+  return lines;
+}
+
+/// A drawing or numbers, which the section alone makes; or a picture, which asks the model.
+void save_section(const py::object& told, const std::string& path, int pixels, const Model* model,
+                  const py::object& normal, double distance) {
+  const Section s = section_from(told);
+  if (model != nullptr) {
+    const Plane plane{vector_from(normal, "normal"), distance};
+    const py::gil_scoped_release unlocked;
+    return write_section(model->scene(), plane, s, path, pixels);
+  }
+  if (path.ends_with(".png"))
+    throw py::value_error(
+        "a section that came from another process has no model to make a .png of: save .svg or .json");
+  write_section(Scene{}, {}, s, path, pixels);
 }
 
 }  // namespace
@@ -101,6 +175,10 @@ void bind_shapes(py::module_& m) {
   m.def("_section", cut);
   m.def("_check", checked);
   m.def("_thinnest", thinnest);
+  m.def("_section_svg", svg_of);
+  m.def("_section_json", [](const py::object& told) { return section_json(section_from(told)); });
+  m.def("_section_polylines", polylines_of);
+  m.def("_save_section", save_section);
 }
 
 }  // namespace csgcast::python

@@ -146,10 +146,24 @@ Solid colored(const Solid& solid, const py::object& color_of) {
   return with_look(solid, {{}, Paint{color, rgba.size() == 4 ? rgba[3] : 1}});
 }
 
-Solid as_part(const Solid& solid, const std::string& name, double density) {
-  if (name.empty()) throw py::value_error("a part's name must not be empty");
-  if (!(density >= 0) || std::isinf(density)) throw py::value_error("a density must not be negative or infinite");
-  return named(solid, {name, density});
+Solid as_part(const Solid& solid, const std::string& name, double density) { return named(solid, {name, density}); }
+
+/// The scene text's statement.
+Solid with_material(const Solid& solid, const py::object& color, double ambient, double diffuse, double specular,
+                    double shininess, double reflection, double transmission, double ior, const py::object& emission,
+                    const py::object& absorption) {
+  Material material;
+  if (!color.is_none()) material.color = light_from(color, "color");
+  material.ambient = ambient;
+  material.diffuse = diffuse;
+  material.specular = specular;
+  material.shininess = shininess;
+  material.reflection = reflection;
+  material.transmission = transmission;
+  material.ior = ior;
+  material.emission = light_from(emission, "emission");
+  material.absorption = light_from(absorption, "absorption");
+  return with_look(solid, {material, {}});
 }
 
 Solid only(const Solid& solid, const py::object& name) {
@@ -209,41 +223,61 @@ std::string description_of(const Solid& solid) {
 void bind_primitives(py::module_& m) {
   m.def(
       "box", [](const py::object& size, bool center) { return box(sizes_from(size, "size"), centering(center)); },
-      "size"_a = 1.0, "center"_a = false, "A box of one size, or of three, from the origin on or about it.");
+      "size"_a = 1.0, "center"_a = false,
+      "box(size=1.0, center=False)\n--\n\n"
+      "A box of one size, or of three, from the origin on or about it.");
   m.def("sphere", make_sphere, "r"_a = py::none(), py::kw_only(), "d"_a = py::none(),
+        "sphere(r=None, *, d=None)\n--\n\n"
         "A ball about the origin, by radius (1) or diameter.");
   m.def("cylinder", make_cylinder, "h"_a = 1.0, "r"_a = py::none(), "r1"_a = py::none(), "r2"_a = py::none(),
         "center"_a = false, py::kw_only(), "d"_a = py::none(), "d1"_a = py::none(), "d2"_a = py::none(),
+        "cylinder(h=1.0, r=None, r1=None, r2=None, center=False, *, d=None, d1=None, d2=None)\n--\n\n"
         "A cylinder or cone along z, from z = 0 on or about it: one radius, or r1 at the bottom and r2 at the top.");
   m.def(
       "ellipsoid", [](const py::object& r) { return ellipsoid(vector_from(r, "r")); }, "r"_a,
+      "ellipsoid(r)\n--\n\n"
       "An ellipsoid about the origin with three semi-axes.");
   m.def("paraboloid", paraboloid, "h"_a, "r"_a,
+        "paraboloid(h, r)\n--\n\n"
         "A paraboloid with its apex at the origin, open upwards, of radius r at z = h, where it ends.");
   m.def("hyperboloid", hyperboloid, "h"_a, "r"_a, "waist"_a,
+        "hyperboloid(h, r, waist)\n--\n\n"
         "A hyperboloid about the z axis, of radius waist at z = 0 and r at z = -h/2 and h/2, where it ends; waist 0 is "
         "a double cone, waist > r a barrel.");
-  m.def("quadric", make_quadric, "A"_a, "b"_a, "c"_a, "Where p' A p + b . p + c <= 0; A symmetric, 3 x 3.");
+  m.def("quadric", make_quadric, "A"_a, "b"_a, "c"_a,
+        "quadric(A, b, c)\n--\n\n"
+        "Where p' A p + b . p + c <= 0; A symmetric, 3 x 3.");
   m.def(
       "halfspace", [](const py::object& n, double d) { return halfspace(vector_from(n, "n"), d); }, "n"_a, "d"_a,
+      "halfspace(n, d)\n--\n\n"
       "Where n . p <= d.");
   m.def("convex", make_convex, "points"_a = py::none(), "planes"_a = py::none(),
+        "convex(points=None, planes=None)\n--\n\n"
         "The convex hull of points (count, 3), or where n . p <= d for all planes, rows n, d of (count, 4).");
   m.def(
-      "empty", [] { return Solid(); }, "No point.");
+      "empty", [] { return Solid(); },
+      "empty()\n--\n\n"
+      "No point.");
   m.def(
-      "everything", [] { return Solid::everything(); }, "All of space.");
+      "everything", [] { return Solid::everything(); },
+      "everything()\n--\n\n"
+      "All of space.");
   m.def(
       "union", [](const py::args& solids) { return unite(solids_from(solids)); },
+      "union(*solids)\n--\n\n"
       "All points of any of the solids, or of a list of them; of none: empty.");
   m.def(
       "intersection", [](const py::args& solids) { return intersect(solids_from(solids)); },
+      "intersection(*solids)\n--\n\n"
       "All points that every one of the solids, or of a list of them, has; of none: empty.");
   m.def(
       "difference", [](const py::args& solids) { return subtract(solids_from(solids)); },
+      "difference(*solids)\n--\n\n"
       "The first of the solids, or of a list of them, less all others; of none: empty.");
   m.def(
-      "complement", [](const Solid& solid) { return complement(solid); }, "solid"_a, "All of space but the solid.");
+      "complement", [](const Solid& solid) { return complement(solid); }, "solid"_a,
+      "complement(solid)\n--\n\n"
+      "All of space but the solid.");
 }
 
 }  // namespace
@@ -251,9 +285,11 @@ void bind_primitives(py::module_& m) {
 void bind_solids(py::module_& m) {
   py::class_<Solid>(
       m, "Solid",
-      "A solid: an immutable value. a + b (or a | b), a - b, a & b and ~a put solids together, methods "
+      "A solid: an immutable value, at first the empty one. a + b (or a | b), a - b, a & b and ~a put solids together, "
+      "methods "
       "move them; nothing is computed until compile(). Regular closed sets: faces belong to it, nothing is "
       "thinner than a point's neighbourhood.")
+      .def(py::init<>())
       .def(
           "__add__", [](const Solid& a, const Solid& b) { return a + b; }, py::is_operator())
       .def("__radd__",
@@ -270,27 +306,46 @@ void bind_solids(py::module_& m) {
       .def("__invert__", [](const Solid& a) { return complement(a); })
       .def(
           "translate", [](const Solid& s, const py::object& v) { return moved(s, translation(vector_from(v, "v"))); },
-          "v"_a, "Moved by a vector.")
+          "v"_a,
+          "translate(self, v)\n--\n\n"
+          "Moved by a vector.")
       .def("rotate", rotated, "a"_a, "v"_a = py::none(),
+           "rotate(self, a, v=None)\n--\n\n"
            "Turned by a degrees about the axis v (z), or by three angles about x, then y, then z. Multiples of 90 "
            "degrees "
            "are exact.")
       .def(
           "scale", [](const Solid& s, const py::object& v) { return moved(s, scaling(sizes_from(v, "v"))); }, "v"_a,
+          "scale(self, v)\n--\n\n"
           "Scaled by a number, or by one along each axis.")
       .def(
           "mirror", [](const Solid& s, const py::object& v) { return moved(s, mirroring(vector_from(v, "v"))); }, "v"_a,
+          "mirror(self, v)\n--\n\n"
           "Mirrored at the plane through the origin that is square to v.")
       .def("transform", moved_by_matrix, "matrix"_a,
+           "transform(self, matrix)\n--\n\n"
            "Moved by an affine matrix, (3, 4) or (4, 4). A singular one leaves nothing.")
       .def(
           "part", as_part, "name"_a, "density"_a = 1.0,
+          "part(self, name, density=1.0)\n--\n\n"
           "The same solid as a part, for measures and checks by part. Parts stand below unions, moves and colors only, "
           "not within parts.")
       .def("color", colored, "color"_a,
+           "color(self, color)\n--\n\n"
            "With a color: a CSS name, '#rrggbb', or three or four sRGB numbers in [0, 1]. The outermost color counts.")
+      .def("material", with_material, "color"_a = py::none(), "ambient"_a = 0.15, "diffuse"_a = 0.7, "specular"_a = 0.2,
+           "shininess"_a = 30.0, "reflection"_a = 0.0, "transmission"_a = 0.0, "ior"_a = 1.0,
+           "emission"_a = py::make_tuple(0.0, 0.0, 0.0), "absorption"_a = py::make_tuple(0.0, 0.0, 0.0),
+           "material(self, color=None, ambient=0.15, diffuse=0.7, specular=0.2, shininess=30.0, reflection=0.0, "
+           "transmission=0.0, ior=1.0, emission=(0.0, 0.0, 0.0), absorption=(0.0, 0.0, 0.0))\n--\n\n"
+           "With a material, as the scene text's statement: how it answers to light. color, emission and absorption "
+           "(per "
+           "unit of length) are linear light, three numbers, or names or '#rrggbb'; color None is OpenSCAD's yellow. "
+           "The "
+           "innermost material counts, and a color replaces its color.")
       .def_property_readonly("parts", &part_names, "The names of its parts, in order, each once.")
       .def("only", only, "name"_a,
+           "only(self, name)\n--\n\n"
            "The parts of this name, or of these names, as if nothing else were there; of none: empty.")
       .def_property_readonly(
           "bounds", bounds_of,

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
 #include "cli/input/options.h"
 #include "cli/input/scene_input.h"
-#include "cli/output/json.h"
 #include "cli/output/output.h"
-#include "cli/output/section_image.h"
 #include "cli/output/usage.h"
 #include "measure/section.h"
+#include "measure/section_json.h"
 #include "measure/section_svg.h"
+#include "model/section_image.h"
 #include "raycast/packets/threads.h"
 #include "shade/picture/image_file.h"
 
@@ -30,39 +29,6 @@ struct SectionCommand {
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
-
-void json_point(Json& json, const char* name, PlanePoint p) {
-  json.key(name).begin_array(Json::Layout::compact).value(p.u).value(p.v).end_array();
-}
-
-std::string as_json(const Section& section) {
-  std::string out;
-  Json json(out);
-  json.begin_object().member("unbounded", !section.is_bounded).member("origin", section.origin);
-  json.member("u", section.u).member("v", section.v);
-  json.member("area", section.area.value).member("area_error", section.area.error);
-  json.member("perimeter", section.perimeter.value).member("perimeter_error", section.perimeter.error);
-  json.member("place_error", section.place_error).member("closed", section.is_closed);
-  json.key("loops").begin_array();
-  for (const SectionLoop& loop : section.loops) {
-    json.begin_array();
-    for (const SectionArc& arc : loop) {
-      json.begin_object(Json::Layout::compact).member("kind", arc.is_straight() ? "line" : "conic");
-      json_point(json, "from", arc.from);
-      json_point(json, "middle", arc.middle);
-      json_point(json, "to", arc.to);
-      json.key("conic").begin_array(Json::Layout::compact);
-      for (const double coefficient : arc.conic) json.value(coefficient);
-      json.end_array().member("surface", std::uint64_t(arc.surface.index())).end_object();
-    }
-    json.end_array();
-  }
-  json.end_array().end_object();
-  return out + '\n';
-}
-
-/// What pictures may be off from the section: less than anybody sees.
-double picture_tolerance(const Section& section) { return 1e-6 * std::sqrt(section.area.value) + section.place_error; }
 
 void run(const SectionCommand& command) {
   const std::vector<double> numbers = parse_numbers("--plane", command.plane, 4);
@@ -94,7 +60,7 @@ void run(const SectionCommand& command) {
   if (is_image) {
     output.write(image_bytes(section_image(input.scene, plane, cut, pixels), command.output));
   } else {
-    output.write(is_drawing ? section_svg(cut, picture_tolerance(cut)) : as_json(cut));
+    output.write(is_drawing ? section_svg(cut, unseen_tolerance(cut)) : section_json(cut));
   }
   output.commit();
 }

@@ -8,6 +8,7 @@
 #include "csg/base/precondition.h"
 #include "csg/exact/affine.h"
 #include "csg/solid/leaf_shape.h"
+#include "csg/solid/rules/rules.h"
 
 namespace csgcast {
 
@@ -144,9 +145,14 @@ Solid transformed(Solid solid, const Transform& world_from_solid) {
   return Solid::make(Solid::Kind::transform, {std::move(solid)}, world_from_solid);
 }
 
-Solid named(Solid solid, PartName name) { return Solid::make(Solid::Kind::part, {std::move(solid)}, std::move(name)); }
+Solid named(Solid solid, PartName name) {
+  require(broken_rule(name), "part");
+  return Solid::make(Solid::Kind::part, {std::move(solid)}, std::move(name));
+}
 
 Solid with_look(Solid solid, LookStatement look) {
+  if (look.material) require(broken_rule(*look.material), "material");
+  if (look.paint) require(broken_rule(*look.paint), "color");
   return Solid::make(Solid::Kind::look, {std::move(solid)}, std::move(look));
 }
 

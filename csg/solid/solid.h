@@ -10,6 +10,7 @@
 #include "csg/base/place.h"
 #include "csg/base/shared.h"
 #include "csg/base/transform.h"
+#include "csg/exact/composition.h"
 #include "csg/solid/look.h"
 
 namespace csgcast {
@@ -110,8 +111,11 @@ Solid intersect(std::vector<Solid> children);
 Solid subtract(std::vector<Solid> children);
 /// The closure of the complement.
 Solid complement(Solid solid);
-/// A singular transform gives the empty solid; the caller warns. Precondition: finite entries.
+/// A singular transform gives the empty solid; the caller warns. Transforms of transforms compose exactly, as many as
+/// there are; a * b (csg/exact/composition.h) is one rounded matrix. Precondition: finite entries.
 Solid transformed(Solid solid, const Transform& world_from_solid);
+/// Both throw Error(bad_value) for what a scene text refuses: an empty name, a density that is negative or not finite,
+/// a material or paint out of its range (csg/solid/rules/rules.h).
 Solid named(Solid solid, PartName name);
 Solid with_look(Solid solid, LookStatement look);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A plate with a bore: how thick it is along three rays, and how much it weighs.
 #include <csg/solid/primitives.h>
-#include <measure/measure.h>
-#include <query/model.h>
+#include <model/model.h>
 
 #include <cstdio>
 #include <vector>
@@ -21,6 +20,6 @@ int main() {
       inside += table.t[2 * i + 1] - table.t[2 * i];
     std::printf("ray %zu: %g\n", ray, inside);
   }
-  const Measured mass = measure(model.scene(), MeasureOptions{1e-9}).whole.mass;
+  const Measured mass = model.measure(MeasureOptions{1e-9}).whole.mass;
   std::printf("mass %.5f, within %s\n", mass.value, mass.error < 1e-5 ? "1e-5" : "more");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "raycast/scene/scene.h"
 
@@ -23,6 +24,8 @@ struct Redundancy {
 
 /// The scene text's word for it: `sphere`, `difference`; in code made `a + b` is a union.
 const char* word(const Scene& scene, const Redundancy& redundancy);
+/// That and where it stands: `sphere at part.csg:3:5`; the word alone if it was made in code.
+std::string name_of(const Scene& scene, const Redundancy& redundancy);
 /// `without it the shape is the same`.
 const char* reason(Redundancy::Why why);
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "csg/base/error.h"
+#include "csg/base/precondition.h"
 #include "raycast/packets/threads.h"
 #include "shade/film/camera.h"
 #include "shade/trace/detail/shading_lanes.h"
@@ -153,7 +154,8 @@ void fill(Workers& workers, Film& film, const ProgressCallback& callback) {
 }
 
 // A picture, on the threads of the present arena.
-Film render_here(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report) {
+Film render_here(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report,
+                 const KeptCells& kept) {
   using Clock = std::chrono::steady_clock;
   const Camera camera(view.camera, options.width, options.height);
   // What is there before the first ray: memory for the picture, and the code for this machine. Before the cells, which
@@ -161,13 +163,16 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
   Film film(options.width, options.height, content(options.mode));
   detail::shading_code(options.instructions);
   const auto before_cells = Clock::now();
-  std::optional<Cells> cells;
+  std::optional<Cells> own_cells;
+  const Cells* cells = nullptr;
   const bool suits_packets =
       options.mode == Mode::shaded ? detail::PacketTracer::suits(scene, view, camera) : camera.rays_are_in_range();
-  if (options.engine == Engine::packets && suits_packets) cells.emplace(scene);
-  std::optional<LayerCells> layer_cells;
-  const bool suits_layers = options.mode == Mode::shaded && LayerCells::suits(scene) && view.settings.max_depth > 0;
-  if (options.engine == Engine::packets && suits_layers) layer_cells.emplace(scene);
+  if (options.engine == Engine::packets && suits_packets)
+    cells = kept.cells != nullptr ? kept.cells : &own_cells.emplace(scene);
+  std::optional<LayerCells> own_layer_cells;
+  const LayerCells* layer_cells = nullptr;
+  if (asks_layers(scene, view, options))
+    layer_cells = kept.layer_cells != nullptr ? kept.layer_cells : &own_layer_cells.emplace(scene);
   const auto start = Clock::now();
   const double cpu_start = cpu_seconds();
   const int grid = grid_of(options);
@@ -178,8 +183,8 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
                         .mode = options.mode,
                         .grid = grid,
                         .sampling = sampling,
-                        .cells = cells ? &*cells : nullptr,
-                        .layer_cells = layer_cells ? &*layer_cells : nullptr,
+                        .cells = cells,
+                        .layer_cells = layer_cells,
                         .instructions = options.instructions};
   Workers workers(job, options.width, options.height);
   const bool adaptive = sampling == Sampling::adaptive;
@@ -217,10 +222,18 @@ FilmContent content(Mode mode) {
   return FilmContent::color;
 }
 
-Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report) {
+bool asks_layers(const Scene& scene, const View& view, const RenderOptions& options) {
+  return options.engine == Engine::packets && options.mode == Mode::shaded && LayerCells::suits(scene) &&
+         view.settings.max_depth > 0;
+}
+
+Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report,
+            const KeptCells& kept) {
+  CSGCAST_PRECONDITION(kept.cells == nullptr || &kept.cells->scene() == &scene);
+  CSGCAST_PRECONDITION(kept.layer_cells == nullptr || &kept.layer_cells->scene() == &scene);
   check(options);
   std::optional<Film> film;
-  on_threads(options.threads, [&] { film = render_here(scene, view, options, report); });
+  on_threads(options.threads, [&] { film = render_here(scene, view, options, report, kept); });
   return std::move(*film);
 }
 

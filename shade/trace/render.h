@@ -5,6 +5,8 @@
 #include <string>
 
 #include "csg/base/progress.h"
+#include "raycast/cells/cells.h"
+#include "raycast/packets/layer_caster.h"
 #include "raycast/ray/caster.h"
 #include "raycast/scene/scene.h"
 #include "shade/film/film.h"
@@ -56,11 +58,21 @@ struct RenderOptions {
 /// Throws what render() throws for sizes, samples and instructions.
 void check(const RenderOptions& options);
 
+/// What a scene was cut into before. A picture that has use for what is null makes it; the picture is the same.
+struct KeptCells {
+  const Cells* cells = nullptr;  ///< of the whole scene
+  const LayerCells* layer_cells = nullptr;
+};
+
+/// Whether a picture in this mode asks the layers: of a scene that transmits, and has few enough of them.
+bool asks_layers(const Scene& scene, const View& view, const RenderOptions& options);
+
 /// A picture, the same bit for bit on any number of threads. Throws Error(limit) for a size or number of samples that
 /// is not positive or too large (65,536 pixels a side, 2^27 in all, 1,024 samples), Error(bad_value) for a view that no
 /// camera has, Error(usage) for adaptive samples in a mode other than shaded, or instructions that the machine does not
-/// have; Cancelled. Adds to *report if it is not null.
-Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report = nullptr);
+/// have; Cancelled. Adds to *report if it is not null. Precondition: `kept` is of this scene.
+Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report = nullptr,
+            const KeptCells& kept = {});
 
 /// The tree of rays of one pixel's centre as indented text, a line for each ray: kind, weight, t and place of the hit,
 /// what it brings. Pixel (0, 0) is the top left one; throws Error(usage) for one outside the picture, and for modes

@@ -10,7 +10,7 @@
 #include "measure/measure.h"
 #include "measure/section.h"
 #include "measure/thickness.h"
-#include "query/model.h"
+#include "model/model.h"
 #include "shade/trace/render.h"
 #include "tests/support/random_solid.h"
 #include "verify/verification.h"
@@ -134,11 +134,11 @@ std::vector<LongCall> long_calls() {
          append(text, subject->model.locate(subject->origins, query(progress)));
          return text;
        }},
-      {"measure",
+      {"Model::measure",
        [subject](const ProgressCallback& progress) {
          MeasureOptions options;
          options.progress = progress;
-         const SceneMeasures found = measure(subject->model.scene(), options);
+         const SceneMeasures found = subject->model.measure(options);
          std::string text = text_of(found.whole);
          for (const Measures& part : found.parts) text += text_of(part);
          return text;
@@ -150,18 +150,18 @@ std::vector<LongCall> long_calls() {
          const Scene& scene = subject->model.scene();
          return text_of(measure(scene, scene.parts().front().node, 3, options));
        }},
-      {"section",
+      {"Model::section",
        [subject](const ProgressCallback& progress) {
          SectionOptions options;
          options.progress = progress;
-         const Section found = section(subject->model.scene(), {{0.1, 0.2, 1}, 0.1}, options);
+         const Section found = subject->model.section({{0.1, 0.2, 1}, 0.1}, options);
          return fmt::format("{:a} {:a} {}\n", found.area.value, found.perimeter.value, found.loops.size());
        }},
-      {"check",
+      {"Model::check",
        [subject](const ProgressCallback& progress) {
          CheckOptions options;
          options.progress = progress;
-         const CheckReport found = check(subject->model.scene(), options);
+         const CheckReport found = subject->model.check(options);
          return fmt::format("{} {:a} {}\n", found.overlaps.size(), found.overlaps.at(0).volume.value,
                             found.redundant.size());
        }},
@@ -169,6 +169,18 @@ std::vector<LongCall> long_calls() {
        [subject](const ProgressCallback& progress) {
          const auto found = find_thinnest(subject->model.cells(), 40, progress);
          return fmt::format("{:a} {:a}\n", found.value().thickness, found.value().place.x);
+       }},
+      {"Model::thinnest",
+       [subject](const ProgressCallback& progress) {
+         return fmt::format("{:a}\n", subject->model.thinnest(40, progress).value().thickness);
+       }},
+      {"Model::render",
+       [subject](const ProgressCallback& progress) {
+         RenderOptions options;
+         options.width = 100;
+         options.height = 70;
+         options.progress = progress;
+         return text_of(subject->model.render(options));
        }},
       {"render, light", shows(Mode::shaded, Engine::packets, Sampling::regular)},
       {"render, adaptive", shows(Mode::shaded, Engine::packets, Sampling::adaptive)},

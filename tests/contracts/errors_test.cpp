@@ -16,7 +16,10 @@
 #include "csg/text/syntax/reader.h"
 #include "measure/measure.h"
 #include "measure/section.h"
-#include "query/model.h"
+#include "measure/section_polylines.h"
+#include "measure/section_svg.h"
+#include "model/model.h"
+#include "model/section_file.h"
 #include "raycast/packets/packet_caster.h"
 #include "shade/picture/image_file.h"
 #include "shade/trace/render.h"
@@ -126,6 +129,43 @@ std::vector<BadCall> bad_calls() {
        [] {
          section(model().scene(), {{0, 0, 0}, 1});
        }},
+      {"a part without a name", bad_value,
+       [] {
+         named(sphere(1), {"", 1});
+       }},
+      {"a density that is none", bad_value,
+       [=] {
+         named(sphere(1), {"a", none});
+       }},
+      {"a material out of range", bad_value,
+       [] {
+         Material material;
+         material.ior = 0;
+         with_look(sphere(1), {material, {}});
+       }},
+      {"chords of no tolerance", bad_value,
+       [] {
+         section_polylines(model().section({{0, 0, 1}, 0}), 0);
+       }},
+      {"a drawing of an unbounded section", usage,
+       [] {
+         section_svg(section(compile(halfspace({0, 0, 1}, 0)), {{1, 0, 0}, 0}), 1);
+       }},
+      {"walls by no rays", usage, [] { model().thinnest(0); }},
+      {"a leaf that there is not", usage, [] { model().leaf_name(LeafId(7)); }},
+      {"a light below zero", bad_value,
+       [] {
+         LightDescription light;
+         light.position = Point{};
+         light.intensity = -1;
+         model().view(1, {.lights = std::vector{light}});
+       }},
+      {"an unknown file of a section",
+       usage,
+       [] {
+         write_section(model().scene(), {{0, 0, 1}, 0}, model().section({{0, 0, 1}, 0}), "a.dxf");
+       },
+       {"a.dxf", 0, 0}},
       {"unknown instructions", usage, [] { PacketCaster::check_instructions("abacus"); }},
       {"a picture without pixels", limit, [] { draw([](RenderOptions& options) { options.width = 0; }); }},
       {"too many samples", limit, [] { draw([](RenderOptions& options) { options.samples = 1'000'000; }); }},

@@ -7,7 +7,6 @@
 
 #include "csg/solid/primitives.h"
 #include "measure/thickness.h"
-#include "query/model.h"
 #include "raycast/packets/packet_caster.h"
 #include "tests/support/catch.h"
 #include "tests/support/death.h"

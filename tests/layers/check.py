@@ -35,8 +35,9 @@ BELOW = {
     "query": ["csg", "raycast"],
     "verify": ["csg", "raycast"],
     "shade": ["csg", "raycast"],
-    "bindings": ["csg", "raycast", "measure", "query", "shade"],
-    "cli": ["csg", "raycast", "measure", "query", "verify", "shade"],
+    "model": ["csg", "raycast", "measure", "query", "shade"],
+    "bindings": ["csg", "raycast", "measure", "query", "shade", "model"],
+    "cli": ["csg", "raycast", "measure", "query", "verify", "shade", "model"],
 }  # what each module may include besides itself
 MODULES = list(BELOW)
 FOLDERS = MODULES + ["tests", "examples"]
@@ -52,7 +53,7 @@ FLOORS = [
     ["raycast/cells/build"],
     ["raycast/cells"],
     ["raycast/packets"],
-    ["measure", "query", "verify", "shade", "bindings/c", "bindings/python", "cli"],
+    ["measure", "query", "verify", "shade", "model", "bindings/c", "bindings/python", "cli"],
 ]
 APART = {("raycast/cells", "raycast/ray"), ("raycast/ray", "raycast/cells/formula")}  # whatever their floors
 SHARED = {"raycast/simd": ["shade"]}  # a room whose headers are not public, and the modules that see it all the same

@@ -3,8 +3,11 @@
 import ast
 import copy
 import inspect
+import json
 import math
 import pickle
+import subprocess
+import sys
 import threading
 from pathlib import Path
 
@@ -31,7 +34,7 @@ def test_intervals_have_the_shapes_that_are_promised(model):
     table = model.intervals(origins, [0, 0, 1])
     assert len(table) == 3
     assert table.offsets.tolist() == [0, 2, 2, 3]
-    assert table.offsets.dtype == np.uint64
+    assert table.offsets.dtype == np.int64
     assert table.t.shape == (3, 2) and table.t.dtype == np.float64
     assert table.surfaces.shape == table.leaves.shape == table.parts.shape == (3, 2)
     assert table.surfaces.dtype == table.leaves.dtype == table.parts.dtype == np.int32
@@ -58,10 +61,10 @@ def test_hits_and_points(model):
     rays = np.random.default_rng(1).normal(size=(5000, 3))
     hits = model.first_hits(rays * 3, -rays)
     table = model.intervals(rays * 3, -rays, faces=False, normals=False)
-    some = np.diff(table.offsets.astype(np.int64)) > 0
+    some = np.diff(table.offsets) > 0
     assert np.array_equal(np.isfinite(hits.t), some)
     assert np.array_equal(model.any_hits(rays * 3, -rays), some)
-    first = table.offsets[:-1][some].astype(np.int64)
+    first = table.offsets[:-1][some]
     entered = hits.is_entry[some]
     assert np.array_equal(hits.t[some][entered], table.t[first[entered], 0])
     assert model.locate([[0.7, 0.7, 0.2], [0, 0, 0], [1, 0.8, 0.1], [9, 9, 9]]).tolist() == [1, -1, 0, -1]
@@ -216,12 +219,50 @@ LONG_CALLS = {
     "check": lambda m, progress: m.check(progress=progress).not_asked,
     "render": lambda m, progress: m.render(100, 80, progress=progress),
 }
+# The same, on so many threads.
+ON_THREADS = {
+    "intervals": lambda m, threads: m.intervals(MANY, [0, 0, 1], threads=threads).t,
+    "first_hits": lambda m, threads: m.first_hits(MANY, [0, 0, 1], threads=threads).t,
+    "any_hits": lambda m, threads: m.any_hits(MANY, [0, 0, 1], threads=threads),
+    "locate": lambda m, threads: m.locate(MANY, threads=threads),
+    "measure": lambda m, threads: m.measure(threads=threads).volume,
+    "section": lambda m, threads: m.section([0, 0.1, 1], threads=threads).area,
+    "thinnest": lambda m, threads: m.thinnest(30, threads=threads)[0],
+    "check": lambda m, threads: m.check(threads=threads).not_asked,
+    "render": lambda m, threads: m.render(100, 80, threads=threads),
+}
 
 
 def test_the_list_of_long_calls_is_whole():
     taking = {name for name, method in inspect.getmembers(csgcast.Model, inspect.isfunction)
               if "progress" in inspect.signature(method).parameters}
-    assert taking == set(LONG_CALLS)
+    assert taking == set(LONG_CALLS) == set(ON_THREADS)
+
+
+@pytest.mark.parametrize("name", ON_THREADS)
+def test_any_number_of_threads_gives_the_same(model, name):
+    call = ON_THREADS[name]
+    want = call(model, 0)
+    for threads in (1, 3):
+        assert np.array_equal(call(model, threads), want)
+    with pytest.raises(ValueError, match="threads"):
+        call(model, -1)
+
+
+def test_models_are_made_on_any_number_of_threads(model):
+    want = model.intervals(MANY, [0, 0, 1]).t
+    for threads in (1, 3):
+        assert np.array_equal(angel().compile(threads=threads).intervals(MANY, [0, 0, 1]).t, want)
+        assert csgcast.Scene(angel()).compile(threads=threads).counts == model.counts
+    for solid in (angel(), csgcast.Scene(angel())):
+        with pytest.raises(ValueError, match="threads"):
+            solid.compile(threads=-1)
+
+
+def test_one_thread_is_the_one_that_calls(model):
+    callers = set()
+    model.intervals(MANY, [0, 0, 1], threads=1, progress=lambda share: callers.add(threading.get_ident()))
+    assert callers == {threading.get_ident()}
 
 
 @pytest.mark.parametrize("name", LONG_CALLS)
@@ -268,6 +309,10 @@ def test_a_measure_may_be_enough(model):
         errors.append(error)
         return error < 1e-2
 
+    for goes_on in (False, np.False_, None, 0):
+        assert model.measure(1e-6, enough=lambda error: goes_on).as_asked
+    with pytest.raises(csgcast.Cancelled):
+        model.measure(1e-9, progress=lambda share: False, enough=lambda error: False)
     rough = model.measure(1e-9, enough=enough)
     assert not rough.as_asked and errors[-1] < 1e-2 <= errors[-2]
     assert abs(rough.volume - model.measure(1e-6).volume) <= 1.01 * rough.volume_error
@@ -305,6 +350,30 @@ def test_files_keep_their_permissions_and_links(tmp_path, model, mode):
     lambda m: m.section([0, 0, 1], math.nan),
     lambda m: m.render(0, 10),
     lambda m: m.render(mode="nice"),
+    lambda m: m.render(samples=4, adaptive=True, mode="depth"),
+    lambda m: m.render(background="nocolor"),
+    lambda m: m.render(background=[-1, 0, 0]),
+    lambda m: csgcast.Light(),
+    lambda m: csgcast.Light([0, 0, 1], [0, 0, 1]),
+    lambda m: csgcast.Light(direction=[0, 0, 0]),
+    lambda m: csgcast.Light([0, 0, 1], intensity=-1),
+    lambda m: csgcast.Light([0, 0, 1], color="#ff000080"),
+    lambda m: csgcast.Light(direction=[0, 0, 1], falloff=2),
+    lambda m: csgcast.Light([0, 0, math.nan]),
+    lambda m: csgcast.Camera([0, 0, 1], [0, 0, 1]),
+    lambda m: csgcast.Camera([0, 0, 1], [0, 0, 0], fov=180),
+    lambda m: csgcast.Camera([0, 0, 1], [0, 0, 0], fov=20, height=1),
+    lambda m: csgcast.Settings(max_depth=101),
+    lambda m: csgcast.Settings(min_contribution=-1),
+    lambda m: csgcast.sphere(1).material(reflection=1.5),
+    lambda m: csgcast.sphere(1).material(ior=0),
+    lambda m: csgcast.sphere(1).material(diffuse=math.nan),
+    lambda m: csgcast.sphere(1).material(emission=[0, -1, 0]),
+    lambda m: csgcast.sphere(1).material("nocolor"),
+    lambda m: m.section([0, 0, 1], 0).polyline(0),
+    lambda m: m.section([0, 0, 1], 0).svg(math.nan),
+    lambda m: m.section([0, 0, 1], 0).save("a.dxf"),
+    lambda m: csgcast.halfspace([0, 0, 1], 0).compile().section([1, 0, 0]).svg(),
     lambda m: m.render(camera={"eye": [0, 0, 1]}),
     lambda m: m.render(camera={"eye": [0, 0, 1], "look_at": [0, 0, 0], "zoom": 2}),
     lambda m: csgcast.box([1, 2]),
@@ -318,6 +387,8 @@ def test_files_keep_their_permissions_and_links(tmp_path, model, mode):
     lambda m: csgcast.sphere(1).transform([[1, 0, 0, 0]] * 2),
     lambda m: csgcast.sphere(1).part(""),
     lambda m: csgcast.sphere(1).part("a", -1),
+    lambda m: csgcast.sphere(1).part("a", math.inf),
+    lambda m: csgcast.sphere(1).part("a", math.nan),
     lambda m: csgcast.sphere(1).color([1, 2, 3]),
     lambda m: (csgcast.sphere(1).part("a") - csgcast.sphere(0.5)).compile(),
     lambda m: csgcast.sphere(1).compile(weld=-1),
@@ -417,17 +488,199 @@ def test_everything_public_says_what_it_is():
                 assert len(last_line) > 8 and "->" not in last_line, what
 
 
+STUBS = ast.parse(Path(csgcast.__file__).with_suffix(".pyi").read_text())
+
+
+def public_calls():
+    """(name, callable, its definition in the stubs) of everything public that can be called."""
+    defined = {node.name: node for node in STUBS.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
+    for name in csgcast.__all__:
+        thing = getattr(csgcast, name)
+        if name == "__version__":
+            continue
+        yield name, thing, defined[name]
+        for member, value in vars(thing).items() if isinstance(thing, type) else ():
+            if callable(value) and not member.startswith("_"):
+                methods = {node.name: node for node in defined[name].body if isinstance(node, ast.FunctionDef)}
+                yield f"{name}.{member}", getattr(thing, member), methods.get(member)
+
+
+def told_parameters(node):
+    """(name, kind, default) of each parameter that the stubs tell; the default ... stands for any."""
+    kinds = inspect.Parameter
+    value = lambda default: kinds.empty if default is None else ... if isinstance(default, ast.Constant) and default.value is ... \
+        else eval(compile(ast.Expression(default), "stub", "eval"))
+    arguments = node.args
+    defaults = [None] * (len(arguments.args) - len(arguments.defaults)) + arguments.defaults
+    yield from ((a.arg, kinds.POSITIONAL_OR_KEYWORD, value(d)) for a, d in zip(arguments.args, defaults))
+    if arguments.vararg:
+        yield arguments.vararg.arg, kinds.VAR_POSITIONAL, kinds.empty
+    yield from ((a.arg, kinds.KEYWORD_ONLY, value(d)) for a, d in zip(arguments.kwonlyargs, arguments.kw_defaults))
+
+
+def told_of_class(node):
+    """The parameters of a class: of its __init__, else of a dataclass's fields."""
+    for inner in node.body:
+        if isinstance(inner, ast.FunctionDef) and inner.name == "__init__":
+            return list(told_parameters(inner))[1:]
+    fields = [inner for inner in node.body if isinstance(inner, ast.AnnAssign)]
+    arguments = ast.arguments([], [ast.arg(f.target.id) for f in fields], None, [], [], None, [f.value for f in fields if f.value])
+    return list(told_parameters(ast.FunctionDef("__init__", arguments, [], [])))
+
+
+@pytest.mark.parametrize("name, thing, stub", list(public_calls()), ids=lambda value: value if isinstance(value, str) else "")
+def test_signatures_can_be_inspected_and_are_those_of_the_stubs(name, thing, stub):
+    signature = inspect.signature(thing)
+    if name in ("Error", "Cancelled"):
+        assert str(signature) == "(*args)"
+        return
+    told = told_of_class(stub) if isinstance(stub, ast.ClassDef) else list(told_parameters(stub))
+    own = [p for p in signature.parameters.values() if not p.name.startswith("_")]
+    assert [(p.name, p.kind) for p in own] == [(parameter, kind) for parameter, kind, _ in told]
+    for p, (_, _, default) in zip(own, told):
+        assert (p.default is p.empty) == (default is p.empty)
+        if default is not ... and default is not p.empty:
+            assert p.default == default and type(p.default) is type(default)
+
+
 def test_stubs_name_what_there_is():
-    stubs = ast.parse(Path(csgcast.__file__).with_suffix(".pyi").read_text())
-    named = {n.name: n for n in stubs.body if isinstance(n, (ast.FunctionDef, ast.ClassDef))} | {"__version__": None}
+    named = {n.name: n for n in STUBS.body if isinstance(n, (ast.FunctionDef, ast.ClassDef))} | {"__version__": None}
     assert set(named) == set(csgcast.__all__)
-    for name in ("Model", "Scene", "Solid", "Intervals"):
-        in_stubs = {n.name for n in named[name].body if isinstance(n, ast.FunctionDef)} - {"__init__"}
+    for name, stub in named.items():
+        if not isinstance(stub, ast.ClassDef) or name in ("Error", "Cancelled"):
+            continue
+        in_stubs = {n.name for n in stub.body if isinstance(n, ast.FunctionDef) and not n.name.startswith("_")}
         own = {k for k, v in vars(getattr(csgcast, name)).items() if callable(v) or isinstance(v, property)}
-        public = {k for k in own if not k.startswith("_")}
-        assert public == {k for k in in_stubs if not k.startswith("_")}
-    for name in ("intervals", "first_hits", "any_hits", "locate", "measure", "section", "thinnest", "check", "render"):
-        arguments = list(inspect.signature(getattr(csgcast.Model, name)).parameters)
-        stub = next(n for n in named["Model"].body if isinstance(n, ast.FunctionDef) and n.name == name)
-        assert arguments == [a.arg for a in stub.args.args + stub.args.kwonlyargs]
-        assert getattr(csgcast.Model, name).__doc__
+        assert {k for k in own if not k.startswith("_")} == in_stubs
+
+
+def test_lengths_per_ray():
+    ball = csgcast.sphere(1) - csgcast.sphere(0.5)
+    table = ball.compile().intervals([[0, 0, -5], [0, 0, 5], [0.2, 0, -5], [9, 0, 0]], [0, 0, 2])
+    lengths = table.lengths_per_ray()
+    assert lengths.shape == (4,) and lengths.dtype == np.float64
+    assert lengths.tolist() == [sum(b - a for a, b in table.of(i)) for i in range(4)] and lengths[0] == 0.5 and lengths[1] == lengths[3] == 0
+    assert (~ball).compile().intervals([0, 0, 0], [0, 0, 1], line=True).lengths_per_ray().tolist() == [math.inf]
+    assert csgcast.everything().compile().intervals([[0, 0, 0]] * 2, [0, 0, 1]).lengths_per_ray().tolist() == [math.inf] * 2
+    for count in (0, 3):
+        none = csgcast.empty().compile().intervals(np.zeros((count, 3)), [0, 0, 1]).lengths_per_ray()
+        assert none.tolist() == [0.0] * count and none.dtype == np.float64
+
+
+def distance_to_polyline(points, line):
+    """Of each point, (n, 2), to the nearest chord."""
+    a, b = line[:-1], line[1:]
+    along = b - a
+    at = ((points[:, None] - a) * along).sum(-1) / (along * along).sum(-1)
+    return np.linalg.norm(points[:, None] - a - np.clip(at, 0, 1)[..., None] * along, axis=-1).min(1)
+
+
+@pytest.mark.parametrize("tolerance", [1e-1, 1e-3, 1e-5])
+def test_polylines_are_as_near_as_they_say(tolerance):
+    # A circle, an ellipse, both ends of a parabola and a hyperbola, and straight lines, far from the origin.
+    solid = csgcast.sphere(1) + csgcast.cylinder(h=9, r=0.3, center=True).rotate(60, [0, 1, 0]).translate([4, 0, 0])
+    solid = solid + csgcast.paraboloid(2, 1).rotate(90, [1, 0, 0]).translate([9, 0, 0]) \
+        + csgcast.hyperboloid(2, 1, 0.3).rotate(90, [1, 0, 0]).translate([13, 0, 0])
+    for place in ([0, 0, 0], [100, -50, 0]):
+        cut = solid.translate(place).compile().section([0, 0, 1], 0.05)
+        lines = cut.polyline(tolerance)
+        assert len(lines) == len(cut.loops) >= 4
+        turns = np.linspace(0, 2 * np.pi, 20000)
+        circle = np.stack([np.cos(turns), np.sin(turns)], 1) * math.sqrt(1 - 0.05 ** 2) + place[:2]
+        round_one = min(lines, key=lambda line: np.abs(line.mean(0) - place[:2]).sum())
+        assert distance_to_polyline(circle, round_one).max() <= tolerance + cut.place_error + 1e-12
+        area = 0
+        for line, (points, conics, _) in zip(lines, cut.loops):
+            assert (line[0] == line[-1]).all() and line.shape[1] == 2
+            u, v = line.T
+            area += 0.5 * (u[:-1] * v[1:] - u[1:] * v[:-1]).sum()
+            # Every point is on one of the loop's conics, and each arc's points are near the line.
+            assert distance_to_polyline(points.reshape(-1, 2), line).max() <= 2 * cut.place_error + 1e-12
+            a, b, c, d, e, f = (conics[:, i, None] for i in range(6))
+            value = a * u * u + b * u * v + c * v * v + d * u + e * v + f
+            slope = np.hypot(2 * a * u + b * v + d, b * u + 2 * c * v + e)
+            assert (np.abs(value) / slope).min(0).max() < 1e-9
+        assert abs(area - cut.area) <= tolerance * cut.perimeter + 1e-6
+        space = cut.polyline(tolerance, space=True)
+        assert all(np.allclose(p, cut.origin + q[:, :1] * cut.u + q[:, 1:] * cut.v) for p, q in zip(space, lines))
+        assert all(np.allclose(p[:, 2], 0.05) for p in space)
+
+
+def test_straight_sections_have_their_corners_only():
+    lines = csgcast.box([2, 3, 4]).compile().section([0, 0, 1], 1).polyline(1e-9)
+    assert len(lines) == 1 and len(lines[0]) == 5
+    assert csgcast.box(1).compile().section([0, 0, 1], 9).polyline(1) == []
+
+
+def test_sections_are_saved(tmp_path, model):
+    cut = model.section([0, 0, 1], 0.9)
+    cut.save(tmp_path / "a.svg")
+    assert (tmp_path / "a.svg").read_text() == cut.svg() and cut.svg().count("<path") == 1
+    assert len(cut.svg(1e-9)) >= len(cut.svg(1e-1))
+    cut.save(tmp_path / "a.json")
+    assert (tmp_path / "a.json").read_text() == cut.json()
+    told = json.loads(cut.json())
+    assert told["area"] == cut.area and len(told["loops"]) == len(cut.loops)
+    cut.save(tmp_path / "a.png", pixels=50)
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+    other = pickle.loads(pickle.dumps(cut))
+    assert other.svg() == cut.svg() and other.json() == cut.json()
+    other.save(str(tmp_path / "b.svg"))
+    with pytest.raises(ValueError, match="another process"):
+        other.save(tmp_path / "b.png")
+
+
+def test_materials_are_those_of_the_scene_text():
+    text = ("material(color = [0.2, 0.4, 0.6], ambient = 0.1, diffuse = 0.5, specular = 0.3, shininess = 9, reflection = 0.25, "
+            "transmission = 0.5, ior = 1.5, emission = [0, 0, 0.1], absorption = [1, 0, 0]) { sphere(1); }")
+    solid = csgcast.sphere(1).material([0.2, 0.4, 0.6], 0.1, 0.5, 0.3, 9, 0.25, 0.5, 1.5, [0, 0, 0.1], [1, 0, 0])
+    assert solid.to_text() == csgcast.read(text, facets="never").solid.to_text()
+    assert csgcast.sphere(1).material().to_text() == csgcast.read("material() { sphere(1); }", facets="never").solid.to_text()
+    assert csgcast.sphere(1).material("red").to_text() == csgcast.sphere(1).material([1, 0, 0]).to_text()
+    matt, shiny = (csgcast.sphere(1).material("white", reflection=r).compile().render(9, 9) for r in (0, 0.5))
+    assert not np.array_equal(matt, shiny)
+
+
+SCENE = """camera(eye = [5, -7, 4], look_at = [0, 0, 0], fov = 20);
+light(position = [3, -9, 9], color = [1, 0.5, 0.25], intensity = 2, falloff = 9);
+light(direction = [0, 1, -1]);
+background(color = [0.1, 0.2, 0.3]);
+settings(max_depth = 3, min_contribution = 0.01);
+material(reflection = 0.5) { sphere(1); }
+cube(1);
+"""
+
+
+def test_scenes_are_made_and_told():
+    read = csgcast.read(SCENE, facets="never")
+    assert read.camera == csgcast.Camera([5, -7, 4], [0, 0, 0], [0, 0, 1], fov=20)
+    lights = (csgcast.Light([3, -9, 9], color=[1, 0.5, 0.25], intensity=2, falloff=9), csgcast.Light(direction=[0, 1, -1]))
+    assert read.lights == lights and read.background == (0.1, 0.2, 0.3) and read.settings == csgcast.Settings(3, 0.01)
+    solid = csgcast.sphere(1).material(reflection=0.5) + csgcast.box(1)
+    made = csgcast.Scene(solid, camera=read.camera, lights=lights, background=[0.1, 0.2, 0.3], settings=csgcast.Settings(3, 0.01))
+    want = read.compile().render(60, 40)
+    assert np.array_equal(made.compile().render(60, 40), want)
+    said = solid.compile().render(60, 40, camera={"eye": [5, -7, 4], "look_at": [0, 0, 0], "fov": 20}, lights=lights,
+                                  background=read.background, settings=read.settings)
+    assert np.array_equal(said, want)
+    bare = csgcast.Scene(solid)
+    assert bare.camera is None and bare.lights == () and bare.background is None and bare.settings == csgcast.Settings()
+    assert np.array_equal(bare.compile().render(30, 20), solid.compile().render(30, 20))
+    assert repr(csgcast.Scene(solid.part("a"))) == "<csgcast.Scene: 1 parts: 'a'>"
+    model = made.compile()
+    assert np.array_equal(model.render(60, 40, background="#fff"), model.render(60, 40, background=[1, 1, 1]))
+    assert not np.array_equal(model.render(60, 40, lights=()), want)
+    adaptive = model.render(60, 40, samples=4, adaptive=True)
+    assert adaptive.shape == want.shape and not np.array_equal(adaptive, model.render(60, 40, samples=4))
+    with pytest.raises(TypeError):
+        csgcast.Scene("sphere(1);")
+
+
+def test_the_package_runs_the_program(tmp_path):
+    run = lambda *arguments: subprocess.run([sys.executable, "-m", "csgcast", *arguments], capture_output=True, text=True)
+    assert run("--version").stdout == f"csgcast {csgcast.__version__}\n"
+    (tmp_path / "a.csg").write_text("cube(2);")
+    cut = csgcast.box(2).compile().section([0, 0, 1], 1)
+    told = json.loads(run("section", str(tmp_path / "a.csg"), "--plane", "0,0,1,1").stdout)
+    assert told == json.loads(cut.json())
+    assert run("no-such-command").returncode != 0

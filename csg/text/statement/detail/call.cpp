@@ -223,6 +223,10 @@ void Call::require(bool holds, std::string_view name, std::string_view rule) con
          value == nullptr ? "" : fmt::format("it is {}", describe(*value)), "give another value");
 }
 
+void Call::require(const std::optional<BrokenRule>& broken) const {
+  if (broken) require(false, broken->argument, broken->rule);
+}
+
 void Call::missing(std::string_view name, std::string_view what) const {
   reject(ErrorCode::bad_value, place(), fmt::format("'{}' needs the argument '{}'", node_.name, name),
          "it has no default", fmt::format("give {}", what));

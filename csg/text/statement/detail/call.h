@@ -10,6 +10,7 @@
 #include "csg/base/error.h"
 #include "csg/base/vector.h"
 #include "csg/solid/look.h"
+#include "csg/solid/rules/rules.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/syntax/syntax.h"
 
@@ -69,6 +70,8 @@ class Call {
 
   /// Throws Error(bad_value) at the argument unless `holds`; `rule` goes on from "'r' of 'sphere' must ".
   void require(bool holds, std::string_view name, std::string_view rule) const;
+  /// Likewise if a rule is broken.
+  void require(const std::optional<BrokenRule>& broken) const;
   [[noreturn]] void missing(std::string_view name, std::string_view what) const;
   [[noreturn]] void reject(ErrorCode code, const Place& place, const std::string& problem, const std::string& why,
                            const std::string& remedy) const;

@@ -48,16 +48,6 @@ std::optional<EncodedColor> encoded_color(const Call& call) {
   return color;
 }
 
-void read_share(const Call& call, std::string_view name, double& share) {
-  share = call.number_or(name, share);
-  call.require(share >= 0 && share <= 1, name, "be between 0 and 1");
-}
-
-void read_strength(const Call& call, std::string_view name, double& strength) {
-  strength = call.number_or(name, strength);
-  call.require(strength >= 0, name, "not be negative");
-}
-
 }  // namespace
 
 Combine make_color(const Call& call) {
@@ -71,16 +61,16 @@ Combine make_color(const Call& call) {
 Combine make_material(const Call& call) {
   Material material;
   material.color = color_argument(call, "color").value_or(material.color);
-  read_strength(call, "ambient", material.ambient);
-  read_strength(call, "diffuse", material.diffuse);
-  read_strength(call, "specular", material.specular);
-  read_strength(call, "shininess", material.shininess);
-  read_share(call, "reflection", material.reflection);
-  read_share(call, "transmission", material.transmission);
+  material.ambient = call.number_or("ambient", material.ambient);
+  material.diffuse = call.number_or("diffuse", material.diffuse);
+  material.specular = call.number_or("specular", material.specular);
+  material.shininess = call.number_or("shininess", material.shininess);
+  material.reflection = call.number_or("reflection", material.reflection);
+  material.transmission = call.number_or("transmission", material.transmission);
   material.ior = call.number_or("ior", material.ior);
-  call.require(material.ior > 0, "ior", "be greater than 0");
   material.emission = call.rgb("emission").value_or(material.emission);
   material.absorption = call.rgb("absorption").value_or(material.absorption);
+  call.require(broken_rule(material));
   LookStatement look;
   look.material = material;
   return [look](std::vector<Solid> children) { return with_look(unite(std::move(children)), look); };

@@ -23,12 +23,9 @@ Combine make_complement(const Call&) {
 Combine make_part(const Call& call) {
   const auto name = call.string("name");
   if (!name) call.missing("name", "a \"string\"");
-  call.require(!name->empty(), "name", "not be empty");
-  const double density = call.number_or("density", 1);
-  call.require(density >= 0, "density", "not be negative");
-  return [part = PartName{*name, density}](std::vector<Solid> children) {
-    return named(unite(std::move(children)), part);
-  };
+  const PartName part{*name, call.number_or("density", 1)};
+  call.require(broken_rule(part));
+  return [part](std::vector<Solid> children) { return named(unite(std::move(children)), part); };
 }
 
 }  // namespace csgcast::text

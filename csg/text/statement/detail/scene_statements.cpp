@@ -45,15 +45,10 @@ void apply_light(const Call& call, SceneDescription& scene) {
     call.reject(ErrorCode::bad_value, call.place(), "'light' needs either 'position' or 'direction'",
                 light.position ? "both are given" : "neither is given", "give one of them");
   }
-  if (light.direction) call.require(*light.direction != Vector{}, "direction", "not be the zero vector");
   light.color = color_argument(call, "color").value_or(light.color);
   light.intensity = call.number_or("intensity", light.intensity);
-  call.require(light.intensity >= 0, "intensity", "not be negative");
   light.falloff = call.number("falloff");
-  if (light.falloff) {
-    call.require(*light.falloff > 0, "falloff", "be greater than 0");
-    call.require(light.position.has_value(), "falloff", "belong to a light with a 'position'");
-  }
+  call.require(broken_rule(light));
   scene.lights.push_back(light);
 }
 
@@ -70,12 +65,10 @@ void apply_background(const Call& call, SceneDescription& scene) {
 void apply_settings(const Call& call, SceneDescription& scene) {
   RenderSettings& settings = scene.settings;
   const double depth = call.number_or("max_depth", settings.max_depth);
-  call.require(depth >= 0 && depth <= 100 && depth == std::trunc(depth), "max_depth",
-               "be a whole number from 0 to 100");
-  settings.max_depth = static_cast<int>(depth);
+  const bool is_whole = depth == std::trunc(depth) && std::fabs(depth) <= 1000;
+  settings.max_depth = is_whole ? static_cast<int>(depth) : -1;
   settings.min_contribution = call.number_or("min_contribution", settings.min_contribution);
-  call.require(settings.min_contribution >= 0 && settings.min_contribution <= 1, "min_contribution",
-               "be between 0 and 1");
+  call.require(broken_rule(settings));
 }
 
 }  // namespace csgcast::text

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cli/output/section_image.h"
+#include "model/section_image.h"
 
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -8,13 +9,15 @@
 #include <cmath>
 #include <vector>
 
+#include "csg/base/error.h"
 #include "csg/base/length.h"
 #include "measure/section_svg.h"
 #include "raycast/ray/caster.h"
 
-namespace csgcast::cli {
+namespace csgcast {
 namespace {
 
+constexpr int most_pixels = 16384;
 constexpr int lines_of_row = 4;
 constexpr Rgb inside{0.11, 0.2, 0.31};
 constexpr Rgb outside{1, 1, 1};
@@ -33,6 +36,10 @@ void add_run(std::vector<double>& row, double from, double to, double weight) {
 }  // namespace
 
 Film section_image(const Scene& scene, const Plane& plane, const Section& section, int pixels) {
+  if (pixels < 1 || pixels > most_pixels) {
+    throw Error(ErrorCode::limit, {}, fmt::format("a picture of {} pixels", pixels),
+                fmt::format("1 to {} are possible along the longer side", most_pixels), "give a number in that range");
+  }
   const PlaneRectangle seen = seen_rectangle(section);
   const double width = seen.greatest.u - seen.least.u;
   const double height = seen.greatest.v - seen.least.v;
@@ -63,4 +70,4 @@ Film section_image(const Scene& scene, const Plane& plane, const Section& sectio
   return film;
 }
 
-}  // namespace csgcast::cli
+}  // namespace csgcast

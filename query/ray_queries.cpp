@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "query/model.h"
+#include "query/ray_queries.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -133,22 +133,22 @@ struct Run {
 
 }  // namespace
 
-struct Model::State {
+struct RayQueries::State {
   explicit State(Scene of) : scene(std::move(of)), cells(scene) {}
 
   Scene scene;
   Cells cells;
 };
 
-Model::Model(Solid solid, const Welding& welding) : Model(compile(std::move(solid), welding)) {}
-Model::Model(Scene scene) : state_(std::make_unique<const State>(std::move(scene))) {}
-Model::~Model() = default;
-Model::Model(Model&&) noexcept = default;
+RayQueries::RayQueries(Solid solid, const Welding& welding) : RayQueries(compile(std::move(solid), welding)) {}
+RayQueries::RayQueries(Scene scene) : state_(std::make_unique<const State>(std::move(scene))) {}
+RayQueries::~RayQueries() = default;
+RayQueries::RayQueries(RayQueries&&) noexcept = default;
 
-const Scene& Model::scene() const { return state_->scene; }
-const Cells& Model::cells() const { return state_->cells; }
+const Scene& RayQueries::scene() const { return state_->scene; }
+const Cells& RayQueries::cells() const { return state_->cells; }
 
-IntervalTable Model::intervals(const Rays& rays, const QueryOptions& options) const {
+IntervalTable RayQueries::intervals(const Rays& rays, const QueryOptions& options) const {
   check(rays, options);
   using Ends = PacketCaster::Ends;
   const Ends ends = options.faces || options.normals ? Ends::faces : Ends::bare;
@@ -204,7 +204,7 @@ IntervalTable Model::intervals(const Rays& rays, const QueryOptions& options) co
   return table;
 }
 
-HitTable Model::first_hits(const Rays& rays, const QueryOptions& options) const {
+HitTable RayQueries::first_hits(const Rays& rays, const QueryOptions& options) const {
   check(rays, options);
   HitTable table;
   table.t.resize(rays.count());
@@ -240,7 +240,7 @@ HitTable Model::first_hits(const Rays& rays, const QueryOptions& options) const 
   return table;
 }
 
-std::vector<std::uint8_t> Model::any_hits(const Rays& rays, const QueryOptions& options) const {
+std::vector<std::uint8_t> RayQueries::any_hits(const Rays& rays, const QueryOptions& options) const {
   check(rays, options);
   std::vector<std::uint8_t> hits(rays.count());
   in_runs(cells(), rays.count(), options, [&](Worker& worker, std::size_t, std::size_t first, std::size_t count) {
@@ -255,7 +255,7 @@ std::vector<std::uint8_t> Model::any_hits(const Rays& rays, const QueryOptions& 
   return hits;
 }
 
-std::vector<Location> Model::locate(std::span<const double> points, const QueryOptions& options) const {
+std::vector<Location> RayQueries::locate(std::span<const double> points, const QueryOptions& options) const {
   check_triples(points, "coordinates of points");
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (std::isfinite(points[i])) continue;

@@ -61,15 +61,15 @@ constexpr std::int8_t sign_of(Location location) {
   return location == Location::inside ? 1 : location == Location::outside ? -1 : 0;
 }
 
-/// A solid made ready for questions: compiled, and cut into cells. Any number of threads may ask it at once; making it
-/// and queries of many rays or points share the work among threads: raycast/packets/threads.h. Answers are certified:
-/// docs/answer.md.
-class Model {
+/// A solid made ready for many rays and points: compiled, and cut into cells. Any number of threads may ask it at once;
+/// making it and queries of many rays or points share the work among threads: raycast/packets/threads.h. Answers are
+/// certified: docs/answer.md. It links no pictures; Model (model/model.h) answers all kinds of questions.
+class RayQueries {
  public:
-  explicit Model(Solid solid, const Welding& welding = Welding::derived());
-  explicit Model(Scene scene);
-  ~Model();
-  Model(Model&&) noexcept;
+  explicit RayQueries(Solid solid, const Welding& welding = Welding::derived());
+  explicit RayQueries(Scene scene);
+  ~RayQueries();
+  RayQueries(RayQueries&&) noexcept;
 
   const Scene& scene() const;
   const Cells& cells() const;
@@ -84,7 +84,7 @@ class Model {
   std::vector<Location> locate(std::span<const double> points, const QueryOptions& options = {}) const;
 
   /// Calls `visit(interval)` for each interval of one ray, in ascending order, until that returns false. `caster` is
-  /// the memory of one thread: Caster(model.scene()); once it has grown nothing is allocated.
+  /// the memory of one thread: Caster(scene()); once it has grown nothing is allocated.
   template <class Visit>
   static void visit_intervals(Caster& caster, const Ray& ray, IntervalList& memory, Visit&& visit, Span span = {}) {
     caster.begin(ray);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "query/model.h"
+#include "query/ray_queries.h"
 
 #include <tbb/task_arena.h>
 
@@ -43,7 +43,7 @@ Solid plate_with_parts() {
 }
 
 // What a Caster says of each ray, in order.
-void check_as_caster(const Model& model, const Numbers& numbers, const QueryOptions& options) {
+void check_as_caster(const RayQueries& model, const Numbers& numbers, const QueryOptions& options) {
   const IntervalTable table = model.intervals(numbers.rays(), options);
   REQUIRE(table.offsets.size() == numbers.rays().count() + 1);
   REQUIRE(table.offsets.front() == 0);
@@ -80,7 +80,7 @@ void check_as_caster(const Model& model, const Numbers& numbers, const QueryOpti
 
 TEST_CASE("A table of intervals is what a caster says ray by ray, with faces and normals") {
   RandomSolids random(31);
-  const Model model(plate_with_parts());
+  const RayQueries model(plate_with_parts());
   const Numbers numbers = random_rays(random, 9000);
   QueryOptions options;
   check_as_caster(model, numbers, options);
@@ -90,7 +90,7 @@ TEST_CASE("A table of intervals is what a caster says ray by ray, with faces and
 
 TEST_CASE("Tables of lines, of ends cut off, and of spans from anywhere are what a caster says") {
   RandomSolids random(32);
-  const Model model(plate_with_parts());
+  const RayQueries model(plate_with_parts());
   const Numbers numbers = random_rays(random, 2000);
   for (const Span span : {Span::line(), Span{0, 2}, Span{1, 2}, Span{-1, 5}, Span{-HUGE_VAL, 1.5}}) {
     QueryOptions options;
@@ -102,7 +102,7 @@ TEST_CASE("Tables of lines, of ends cut off, and of spans from anywhere are what
 
 TEST_CASE("First and any hits are those of a caster") {
   RandomSolids random(33);
-  const Model model(plate_with_parts());
+  const RayQueries model(plate_with_parts());
   const Numbers numbers = random_rays(random, 5000);
   for (const Span span : {Span{}, Span{0, 2}, Span{1, 3}}) {
     QueryOptions options;
@@ -123,7 +123,7 @@ TEST_CASE("First and any hits are those of a caster") {
 
 TEST_CASE("Points are located as by a caster") {
   RandomSolids random(34);
-  const Model model(plate_with_parts());
+  const RayQueries model(plate_with_parts());
   std::vector<double> points;
   for (int i = 0; i < 3000; ++i) {
     for (int axis = 0; axis < 3; ++axis) points.push_back(random.quarter(-2, 2));
@@ -136,7 +136,7 @@ TEST_CASE("Points are located as by a caster") {
 
 TEST_CASE("Any number of threads gives the same table, and many threads may ask one model at once") {
   RandomSolids random(35);
-  const Model model(plate_with_parts());
+  const RayQueries model(plate_with_parts());
   const Numbers numbers = random_rays(random, 20000);
   const IntervalTable one = tbb::task_arena(1).execute([&] { return model.intervals(numbers.rays()); });
   std::vector<std::thread> threads;
@@ -155,21 +155,21 @@ TEST_CASE("No rays, an empty solid, everything: tables of the right sizes") {
   const Numbers none;
   Numbers one;
   one.add({0, 0, -5}, {0, 0, 2});
-  const Model empty{Solid()};
+  const RayQueries empty{Solid()};
   CHECK(empty.intervals(none.rays()).offsets == std::vector<std::uint64_t>{0});
   CHECK(empty.intervals(one.rays()).offsets == std::vector<std::uint64_t>{0, 0});
   CHECK(std::isinf(empty.first_hits(one.rays()).t[0]));
-  const Model everything(Solid::everything());
+  const RayQueries everything(Solid::everything());
   const IntervalTable table = everything.intervals(one.rays());
   REQUIRE(table.count() == 1);
   CHECK(table.t == std::vector<double>{0, HUGE_VAL});
   CHECK(table.surfaces == std::vector<std::uint32_t>{no_id, no_id});
-  const Model ball(sphere(1));
+  const RayQueries ball(sphere(1));
   CHECK(ball.intervals(one.rays()).t == std::vector<double>{2, 3});
 }
 
 TEST_CASE("Rays that are none are refused by their number") {
-  const Model model(sphere(1));
+  const RayQueries model(sphere(1));
   const auto message = [&](Point o, Vector d) -> std::string {
     Numbers numbers;
     for (int i = 0; i < 5000; ++i) numbers.add({0, 0, 0}, {0, 0, 1});
@@ -201,7 +201,7 @@ TEST_CASE("Rays that are none are refused by their number") {
 
 TEST_CASE("A query tells how far it is and can be ended") {
   RandomSolids random(36);
-  const Model model(sphere(1));
+  const RayQueries model(sphere(1));
   const Numbers numbers = random_rays(random, 100000);
   QueryOptions options;
   double last = 0;
@@ -219,17 +219,17 @@ TEST_CASE("A query tells how far it is and can be ended") {
 }
 
 TEST_CASE("A visitor sees intervals in order until it has enough") {
-  const Model model(sphere(1) + transformed(sphere(1), translation({5, 0, 0})));
+  const RayQueries model(sphere(1) + transformed(sphere(1), translation({5, 0, 0})));
   Caster caster(model.scene());
   IntervalList memory;
   std::vector<double> entries;
   const Ray ray({-5, 0, 0}, {1, 0, 0});
-  Model::visit_intervals(caster, ray, memory, [&](const Interval& interval) {
+  RayQueries::visit_intervals(caster, ray, memory, [&](const Interval& interval) {
     entries.push_back(interval.entry.t);
     return true;
   });
   CHECK(entries == std::vector<double>{4, 9});
   int seen = 0;
-  Model::visit_intervals(caster, ray, memory, [&](const Interval&) { return ++seen < 1; });
+  RayQueries::visit_intervals(caster, ray, memory, [&](const Interval&) { return ++seen < 1; });
   CHECK(seen == 1);
 }
