@@ -14,4 +14,5 @@ PYBIND11_MODULE(_core, m) {
   csgcast::python::bind_queries(m);
   csgcast::python::bind_shapes(m);
   csgcast::python::bind_pictures(m);
+  csgcast::python::bind_pickles(m);
 }

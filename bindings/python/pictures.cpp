@@ -74,13 +74,23 @@ CameraDescription camera_from(const py::dict& numbers) {
   return camera;
 }
 
+/// Four numbers, or None for the whole picture.
+std::optional<PixelRegion> region_from(const py::object& region) {
+  if (region.is_none()) return std::nullopt;
+  const auto [x0, y0, x1, y1] = region.cast<std::tuple<int, int, int, int>>();
+  return PixelRegion{x0, y0, x1, y1};
+}
+
 Film picture(const Model& model, const SceneDescription& description, int width, int height, int samples,
-             const std::string& mode, const py::object& camera, py::object callback) {
+             const std::string& mode, const py::object& camera, bool adaptive, const py::object& region,
+             py::object callback) {
   RenderOptions options;
   options.width = width;
   options.height = height;
   options.samples = samples;
   options.mode = mode_named(mode);
+  if (adaptive) options.sampling = Sampling::adaptive;
+  options.region = region_from(region);
   SceneDescription seen = description;
   if (!camera.is_none()) seen.camera = camera_from(camera.cast<py::dict>());
   Callbacks callbacks(std::move(callback));
@@ -119,15 +129,22 @@ void bind_pictures(py::module_& m) {
     file.commit();
   });
   m.def("_render", [](const Model& model, const SceneDescription& description, int width, int height, int samples,
-                      const std::string& mode, const py::object& camera, py::object callback) {
-    return as_array(picture(model, description, width, height, samples, mode, camera, std::move(callback)));
+                      const std::string& mode, const py::object& camera, bool adaptive, const py::object& region,
+                      py::object callback) {
+    return as_array(
+        picture(model, description, width, height, samples, mode, camera, adaptive, region, std::move(callback)));
   });
-  m.def("_save_picture",
-        [](const Model& model, const SceneDescription& description, const std::string& path, int width, int height,
-           int samples, const std::string& mode, const py::object& camera, py::object callback) {
-          check_image_path(path);
-          write_image(picture(model, description, width, height, samples, mode, camera, std::move(callback)), path);
-        });
+  m.def("_band", [](int width, int height, int index, int count) {
+    const PixelRegion band = band_of_picture(width, height, index, count);
+    return py::make_tuple(band.x0, band.y0, band.x1, band.y1);
+  });
+  m.def("_save_picture", [](const Model& model, const SceneDescription& description, const std::string& path, int width,
+                            int height, int samples, const std::string& mode, const py::object& camera, bool adaptive,
+                            const py::object& region, py::object callback) {
+    check_image_path(path);
+    write_image(
+        picture(model, description, width, height, samples, mode, camera, adaptive, region, std::move(callback)), path);
+  });
 }
 
 }  // namespace csgcast::python

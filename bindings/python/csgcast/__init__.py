@@ -153,7 +153,18 @@ class Model:
 
     def __init__(self, solid, weld=None, _description=None):
         self._model = _core._Model(solid, weld)
+        self._solid = solid
+        self._weld = weld
         self._description = _description or _core._Description()
+
+    def __reduce__(self):
+        return _model_from, (self._solid, self._weld, _core._description_state(self._description))
+
+    def __copy__(self):
+        return self  # nothing changes it
+
+    def __deepcopy__(self, _):
+        return self
 
     def intervals(self, origins, directions, *, t_min=0.0, t_max=_inf, line=False, faces=True, normals=True, progress=None):
         """All intervals of each ray that lie in [t_min, t_max], or on its whole line, as Intervals. Without faces and normals
@@ -195,14 +206,19 @@ class Model:
         """Looks for parts that overlap, empty and unbounded parts, and what is without effect: Check."""
         return Check(**_core._check(self._model, progress))
 
-    def render(self, width=800, height=600, *, samples=1, mode="shaded", camera=None, path=None, progress=None):
+    def render(self, width=800, height=600, *, samples=1, mode="shaded", camera=None, adaptive=False, tile=None, region=None,
+               path=None, progress=None):
         """A picture: float32, (height, width, 3) of linear light or of normals, (height, width) of depths, lengths or ids.
         camera: {"eye": .., "look_at": .., "up": .., "fov": degrees, or "height": of a parallel one}; else the scene's, or
-        one that frames the solid. With path (.png, .jpg, .tif, .exr) it is written there instead."""
+        one that frames the solid. adaptive: all samples only in pixels that do not look like those around. region (x0, y0, x1, y1):
+        only these columns and rows, the last ones not included, bit for bit what they are in the whole picture; tile (i, n): only
+        the i-th of n bands of rows, from 0 at the top. With path (.png, .jpg, .tif, .exr) it is written there instead."""
+        region = _region_of(width, height, tile, region)
         if path is not None:
-            _core._save_picture(self._model, self._description, str(path), width, height, samples, mode, camera, progress)
+            _core._save_picture(self._model, self._description, _fspath(path), width, height, samples, mode, camera, adaptive, region,
+                                progress)
             return None
-        return _core._render(self._model, self._description, width, height, samples, mode, camera, progress)
+        return _core._render(self._model, self._description, width, height, samples, mode, camera, adaptive, region, progress)
 
     def leaf(self, index):
         """What a leaf is and which statement made it: 'sphere at part.csg:3:5'."""
@@ -233,6 +249,15 @@ class Scene:
 
     def __init__(self, description):
         self._description = description
+
+    def __reduce__(self):
+        return _scene_from, (self._description.solid, _core._description_state(self._description))
+
+    def __copy__(self):
+        return self  # nothing changes it
+
+    def __deepcopy__(self, _):
+        return self
 
     @property
     def solid(self):
@@ -283,8 +308,26 @@ def _to_text(self):
     return _core._text_of(self)
 
 
-def _solid_from(text):
-    return _core._read(text, "never").solid
+def _solid_from(*state):
+    return _core._solid_of(state)
+
+
+def _scene_from(solid, state):
+    return Scene(_core._description_of(state, solid))
+
+
+def _model_from(solid, weld, state):
+    return Model(solid, weld, _core._description_of(state, solid))
+
+
+def _region_of(width, height, tile, region):
+    """(x0, y0, x1, y1) of what is asked for of a picture; None for all of it."""
+    if tile is not None and region is not None:
+        raise ValueError("give tile or region, not both")
+    if tile is None:
+        return None if region is None else tuple(region)
+    index, count = tile
+    return _core._band(width, height, index, count)
 
 
 def save(solid, path):
@@ -295,4 +338,4 @@ def save(solid, path):
 
 Solid.compile = _compile
 Solid.to_text = _to_text
-Solid.__reduce__ = lambda self: (_solid_from, (_core._text_of(self),))
+Solid.__reduce__ = lambda self: (_solid_from, _core._solid_state(self))
