@@ -59,7 +59,8 @@ int run(int argc, char** argv) {
   program.footer("csgcast COMMAND --help tells more, with examples.");
   const std::array commands{render_command(program),  intervals_command(program), locate_command(program),
                             measure_command(program), section_command(program),   thickness_command(program),
-                            check_command(program),   info_command(program),      verify_command(program)};
+                            check_command(program),   info_command(program),      verify_command(program),
+                            join_command(program)};
   const std::string first = argc > 1 ? argv[1] : "";
   const bool named = is_command(commands, first);
   try {

@@ -8,6 +8,7 @@ namespace csgcast::cli {
 /// Each adds its command to the program's line.
 Command render_command(CLI::App& program);
 Command intervals_command(CLI::App& program);
+Command join_command(CLI::App& program);
 Command locate_command(CLI::App& program);
 Command thickness_command(CLI::App& program);
 Command section_command(CLI::App& program);

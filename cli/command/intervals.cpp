@@ -10,6 +10,7 @@
 #include "cli/input/distinct_files.h"
 #include "cli/input/rows_option.h"
 #include "cli/output/interval_report.h"
+#include "csg/base/number_text.h"
 #include "csg/base/precondition.h"
 #include "raycast/cells/cells.h"
 #include "raycast/packets/packet_caster.h"
@@ -157,24 +158,43 @@ class IntervalWorker {
   bool is_begun_ = false;  // the caster is at the present ray
 };
 
+/// What all parts of one result have alike. Files of rays are told apart by their sizes.
+PartLabel label_of(const text::Document& document, const IntervalsOptions& options, Span span) {
+  PartLabel label(document, options.scene);
+  label.add("tmin", number(span.from));
+  label.add("tmax", number(span.to));
+  label.add("by", options.by == By::scene ? "scene" : "part");
+  label.add("format", options.format == Format::csv ? "csv" : "json");
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(options.rays.file, error);
+  if (!error) label.add("rays", fmt::format("{} bytes", bytes));
+  return label;
+}
+
 void run(const IntervalsOptions& options) {
   const Span span = options.span();
   check_distinct(std::array{NamedFile{"the scene", options.scene.path}, NamedFile{"--rays", options.rays.file}},
                  std::array{NamedFile{"-o", options.output}});
   Rows rows(options.rays, options.scene);
   Output output(options.output);
-  const SceneInput input = read_scene(options.scene);
+  DocumentInput document = read_document(options.scene);
+  const PartLabel label = options.rays.range.empty() ? PartLabel() : label_of(document.document, options, span);
+  const SceneInput input = compile_document(std::move(document), options.scene);
   if (options.by == By::part && input.scene.parts().empty()) {
     throw Error(ErrorCode::usage, {options.scene.path, 0, 0}, "the scene has no parts", "--by part lists nothing else",
                 "name some with part(\"name\") { .. }, or leave --by out");
   }
-  const IntervalReport report(input.scene, options.format);
+  const IntervalReport report(input.scene, options.format, rows.range().first);
   std::optional<Cells> cells;
   if (IntervalWorker::suits(input.scene, options.rays, span, options.by)) cells.emplace(input.scene);
   output.write(report.head());
   answer_rows([&](NumberRow& row) { return rows.next(row); }, output,
               [&] { return IntervalWorker(input.scene, cells ? &*cells : nullptr, report, rows, span, options.by); });
-  output.write(report.tail());
+  if (options.rays.range.empty() || options.format == Format::table) {
+    output.write(report.tail());
+  } else {
+    output.write(options.format == Format::csv ? csv_mark(rows.range(), label) : json_mark(rows.range(), label));
+  }
   output.commit();
 }
 
@@ -185,6 +205,7 @@ Command intervals_command(CLI::App& program) {
   CLI::App* line = program.add_subcommand("intervals", "List where rays are inside the solid");
   add_scene_options(*line, options->scene);
   add_rows_option(*line, options->rays, "One ray: its origin and its direction, which need not be unit");
+  add_range_option(*line, options->rays);
   const auto whole_line = line->add_flag("--line", options->whole_line, "The whole line, not from t = 0 on");
   line->add_option("--tmin", options->t_min, "Where rays begin (default 0; -inf is allowed)")
       ->type_name("T")

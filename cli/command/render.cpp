@@ -11,9 +11,11 @@
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
 #include "cli/input/scene_input.h"
+#include "cli/input/tile_file.h"
 #include "cli/output/output.h"
 #include "cli/output/render_stats.h"
 #include "cli/output/stopwatch.h"
+#include "csg/base/number_text.h"
 #include "raycast/packets/threads.h"
 #include "shade/picture/image_file.h"
 
@@ -30,6 +32,7 @@ struct RenderCommandOptions {
   std::string samples = "1";
   bool adaptive = false;
   std::string camera;
+  std::string tiles;
   std::string trace_pixel;
   std::string output;
   std::string stats;
@@ -40,6 +43,7 @@ struct Job {
   RenderOptions render;
   std::optional<CameraDescription> camera;
   std::optional<std::pair<int, int>> pixel;
+  std::optional<std::pair<int, int>> tile;  ///< which of how many
 };
 
 std::uint64_t memory_available() {
@@ -95,6 +99,13 @@ Job check(const RenderCommandOptions& options) {
     job.pixel = {x, y};
   }
   check_files(options);
+  if (!options.tiles.empty()) {
+    job.tile = parse_pair("--tiles", options.tiles, '/', 0, largest_side);
+    if (options.output.empty()) throw UsageError("--tiles needs -o (where shall the tile go?)");
+    job.render.region = band_of_picture(job.render.width, job.render.height, job.tile->first, job.tile->second);
+    check_tile_path(options.output);
+    return job;
+  }
   if (options.output.empty()) {
     if (!job.pixel) throw UsageError("-o is needed (where shall the picture go?)");
     if (!options.stats.empty()) throw UsageError("--stats needs -o (there is no picture to count rays of)");
@@ -114,15 +125,38 @@ struct PictureFiles {
   std::optional<Output> stats;
 };
 
+TileHead tile_head(const RenderCommandOptions& options, const Job& job, const text::Document& document) {
+  TileHead head{.index = job.tile->first,
+                .count = job.tile->second,
+                .width = job.render.width,
+                .height = job.render.height,
+                .region = *job.render.region,
+                .content = content(job.render.mode),
+                .label = PartLabel(document, options.scene)};
+  head.label.add("mode", fmt::to_string(static_cast<int>(job.render.mode)));
+  head.label.add("samples", fmt::to_string(job.render.samples));
+  head.label.add("adaptive", options.adaptive ? "yes" : "no");
+  if (!options.camera.empty()) {
+    std::string camera;
+    for (const double value : parse_numbers("--camera", options.camera)) camera += ' ' + number(value);
+    head.label.add("camera", camera.substr(1));
+  }
+  return head;
+}
+
 void render_picture(const RenderCommandOptions& options, Job& job, const SceneInput& input, const View& view,
-                    PictureFiles& files) {
+                    const std::optional<TileHead>& tile, PictureFiles& files) {
   RenderReport report;
   std::optional<ProgressBar> bar(std::in_place, "render", options.scene.progress());
   job.render.progress = bar->callback();
   const Film film = render(input.scene, view, job.render, &report);
   bar.reset();
   const Stopwatch write_watch;
-  files.picture.write(image_bytes(film, options.output));
+  if (tile) {
+    write_tile(*tile, film, files.picture);
+  } else {
+    files.picture.write(image_bytes(film, options.output));
+  }
   files.picture.commit();
   if (!files.stats) return;
   files.stats->write(render_stats(
@@ -135,7 +169,10 @@ void run(const RenderCommandOptions& options) {
   Job job = check(options);
   std::optional<PictureFiles> files;
   if (!options.output.empty()) files.emplace(options);
-  SceneInput input = read_scene(options.scene);
+  DocumentInput document = read_document(options.scene);
+  std::optional<TileHead> tile;
+  if (job.tile) tile = tile_head(options, job, document.document);
+  SceneInput input = compile_document(std::move(document), options.scene);
   if (job.camera) input.description.camera = job.camera;
   const View view = make_view(input.description, input.scene, double(job.render.width) / job.render.height);
   if (job.pixel) {
@@ -143,7 +180,7 @@ void run(const RenderCommandOptions& options) {
     output.write(trace_pixel(input.scene, view, job.render, job.pixel->first, job.pixel->second));
     output.commit();
   }
-  if (files) render_picture(options, job, input, view, *files);
+  if (files) render_picture(options, job, input, view, tile, *files);
 }
 
 }  // namespace
@@ -162,6 +199,9 @@ Command render_command(CLI::App& program) {
   line->add_option("--camera", options->camera,
                    "Eye and the point looked at; or seven numbers: OpenSCAD's translation, rotation and distance")
       ->type_name("ex,ey,ez,ax,ay,az");
+  line->add_option("--tiles", options->tiles,
+                   "Only tile i of n, bands of rows from 0 at the top, as .csgtile; join makes the picture of all")
+      ->type_name("i/n");
   add_choice(*line, "--mode", options->render.mode, "What the picture shows",
              {{"shaded", Mode::shaded},
               {"edges", Mode::edges},
