@@ -16,6 +16,8 @@ scene text, a solid or a ray is wrong that is a csgcast.Error, which is a ValueE
 from dataclasses import dataclass as _dataclass, field as _field
 from os import fspath as _fspath
 
+import numpy as _np
+
 from . import _core
 from ._core import (Cancelled, Error, Solid, __version__, box, complement, convex, cylinder, difference, ellipsoid, empty,
                     everything, halfspace, hyperboloid, intersection, paraboloid, quadric, sphere, union)
@@ -185,6 +187,12 @@ class Model:
         """For each point 1 inside, 0 on the boundary, -1 outside: int8. Never falsely inside or outside."""
         return self._model.locate(points, progress)
 
+    def thickness(self, origins, directions, *, progress=None):
+        """How thick the solid is at the first face that each ray enters by, from there straight in to the boundary again: (rays,);
+        0 where a ray enters by none, inf where nothing ends the solid."""
+        origins, directions = _np.broadcast_arrays(_rows(origins), _rows(directions))
+        return _core._thickness(self._model, origins, directions, progress)
+
     def measure(self, relative_error=1e-4, area_error=1e-3, *, progress=None, enough=None):
         """Volume, area, mass, centroid, inertia and bounds, as Measures; errors of volume and area relative to them are as
         small as asked for if as_asked is True. enough(relative_error) is asked now and then about a volume's present error: if
@@ -318,6 +326,12 @@ def _scene_from(solid, state):
 
 def _model_from(solid, weld, state):
     return Model(solid, weld, _core._description_of(state, solid))
+
+
+def _rows(numbers):
+    """Rows of three; one for all as one row. What has no such shape is refused later."""
+    rows = _np.asarray(numbers, dtype=float)
+    return rows.reshape(1, 3) if rows.shape == (3,) else rows.reshape(-1, 3) if rows.size == 0 else rows
 
 
 def _region_of(width, height, tile, region):
