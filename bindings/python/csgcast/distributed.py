@@ -196,9 +196,8 @@ def _run(client, distributed, tasks, window):
         copies.setdefault(number, []).append(future)
 
     def overdue():
-        usual = sorted(durations)[len(durations) // 2] if durations else None
-        return [] if usual is None else [f for f, (_, _, since, n) in started.items()
-                                         if len(copies[n]) == 1 and time.monotonic() - since > max(4 * usual, 1.0)]
+        patience = max(4 * sorted(durations)[len(durations) // 2], 1.0) if durations else 5.0
+        return [f for f, (_, _, since, n) in started.items() if len(copies[n]) == 1 and time.monotonic() - since > patience]
 
     try:
         while not ended or started:
