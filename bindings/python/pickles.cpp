@@ -2,15 +2,16 @@
 #include <pybind11/stl.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "bindings/python/bind.h"
-#include "csg/base/tree_walk.h"
 #include "csg/solid/scene_description.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/statement/solid_text.h"
+#include "csg/text/syntax/each_statement.h"
 #include "csg/text/syntax/reader.h"
 #include "csg/text/syntax/writer.h"
 
@@ -22,28 +23,14 @@ namespace {
 using text::Document;
 using text::Node;
 
-/// Calls visit(node) for each statement, in file order.
-template <class Visit>
-void each_statement(Document& document, Visit&& visit) {
-  struct Nothing {};
-  TreeWalk<Node, Nothing> walk;
-  walk.run(
-      document.nodes, Nothing{},
-      [&](Node& node, Nothing&) -> std::optional<Nothing> {
-        visit(node);
-        return Nothing{};
-      },
-      [](Node& node) { return std::span<Node>(node.children); }, [](Node&, Nothing&&, Nothing&) {});
-}
-
 /// Scene text; the name of the file that places are in; line and column of each statement, 0 where none is known.
 using SolidState = std::tuple<std::string, std::string, py::bytes>;
 
 SolidState state_of(const Solid& solid) {
-  Document document = text::document_of(solid);
+  const Document document = text::document_of(solid);
   std::string places;
   bool any = false;
-  each_statement(document, [&](const Node& node) {
+  text::each_statement(std::span<const Node>(document.nodes), [&](const Node& node) {
     for (const int number : {node.line, node.column}) {
       any = any || number != 0;
       for (unsigned shift = 0; shift < 32; shift += 8)
@@ -65,7 +52,7 @@ Solid solid_of(const SolidState& state) {
       value |= static_cast<std::uint32_t>(static_cast<unsigned char>(places[next++])) << shift;
     return static_cast<int>(value);
   };
-  each_statement(document, [&](Node& node) {
+  text::each_statement(std::span<Node>(document.nodes), [&](Node& node) {
     node.line = number();
     node.column = number();
   });

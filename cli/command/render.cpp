@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "cli/command/commands.h"
@@ -24,6 +26,12 @@ namespace {
 
 constexpr int largest_side = 65536;
 constexpr int most_samples = 1024;
+constexpr std::array<std::pair<const char*, Mode>, 6> modes{{{"shaded", Mode::shaded},
+                                                             {"edges", Mode::edges},
+                                                             {"xray", Mode::xray},
+                                                             {"depth", Mode::depth},
+                                                             {"normal", Mode::normal},
+                                                             {"id", Mode::id}}};
 
 struct RenderCommandOptions {
   SceneOptions scene;
@@ -125,6 +133,11 @@ struct PictureFiles {
   std::optional<Output> stats;
 };
 
+const char* word(Mode mode) {
+  const auto found = std::find_if(modes.begin(), modes.end(), [&](const auto& m) { return m.second == mode; });
+  return found->first;
+}
+
 TileHead tile_head(const RenderCommandOptions& options, const Job& job, const text::Document& document) {
   TileHead head{.index = job.tile->first,
                 .count = job.tile->second,
@@ -133,7 +146,7 @@ TileHead tile_head(const RenderCommandOptions& options, const Job& job, const te
                 .region = *job.render.region,
                 .content = content(job.render.mode),
                 .label = PartLabel(document, options.scene)};
-  head.label.add("mode", fmt::to_string(static_cast<int>(job.render.mode)));
+  head.label.add("mode", word(job.render.mode));
   head.label.add("samples", fmt::to_string(job.render.samples));
   head.label.add("adaptive", options.adaptive ? "yes" : "no");
   if (!options.camera.empty()) {
@@ -202,13 +215,7 @@ Command render_command(CLI::App& program) {
   line->add_option("--tiles", options->tiles,
                    "Only tile i of n, bands of rows from 0 at the top, as .csgtile; join makes the picture of all")
       ->type_name("i/n");
-  add_choice(*line, "--mode", options->render.mode, "What the picture shows",
-             {{"shaded", Mode::shaded},
-              {"edges", Mode::edges},
-              {"xray", Mode::xray},
-              {"depth", Mode::depth},
-              {"normal", Mode::normal},
-              {"id", Mode::id}});
+  add_choice(*line, "--mode", options->render.mode, "What the picture shows", {modes.begin(), modes.end()});
   line->add_option("--stats", options->stats, "Count rays and tests, and time each stage, into this file")
       ->type_name("FILE.json");
   line->add_option("--trace-pixel", options->trace_pixel,

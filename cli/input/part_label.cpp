@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "csg/base/error.h"
 #include "csg/base/number_text.h"
-#include "csg/base/tree_walk.h"
+#include "csg/text/syntax/each_statement.h"
 #include "csg/text/syntax/writer.h"
 
 namespace csgcast::cli {
@@ -33,19 +33,12 @@ class Hash {
 };
 
 std::string hash_of(const text::Document& document) {
-  struct Nothing {};
   Hash hash;
   hash.add(text::write(document));
-  TreeWalk<const text::Node, Nothing> walk;
-  walk.run(
-      document.nodes, Nothing{},
-      [&](const text::Node& node, Nothing&) -> std::optional<Nothing> {
-        hash.add(node.line);
-        hash.add(node.column);
-        return Nothing{};
-      },
-      [](const text::Node& node) { return std::span<const text::Node>(node.children); },
-      [](const text::Node&, Nothing&&, Nothing&) {});
+  text::each_statement(std::span<const text::Node>(document.nodes), [&](const text::Node& node) {
+    hash.add(node.line);
+    hash.add(node.column);
+  });
   return hash.text();
 }
 

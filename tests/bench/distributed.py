@@ -199,7 +199,7 @@ class Bench:
 
     def throughput(self):
         """One worker on a core, and two on a core each."""
-        count = self.arguments.rays // 5
+        count = max(self.arguments.rays // 2, 8 * self.arguments.shard)
         rates = {}
         for workers in (1, 2):
             with self.cluster(workers) as cluster, distributed.Client(cluster) as client:

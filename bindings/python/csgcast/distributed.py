@@ -83,6 +83,9 @@ def _write_whole(path, write):
         with open(unfinished, "wb") as file:
             write(file)
         os.replace(unfinished, path)
+    except FileNotFoundError:
+        if not path.exists():
+            raise
     finally:
         unfinished.unlink(missing_ok=True)
 
@@ -98,11 +101,10 @@ def _write_shard(folder, name, arrays, facts):
             np.save(unfinished / f"{key}.npy", array)
             sizes[key] = (unfinished / f"{key}.npy").stat().st_size
         (unfinished / "shard.json").write_text(json.dumps({**facts, "bytes": sizes}))
-        try:
-            os.rename(unfinished, target)
-        except OSError:
-            if _facts_of(target) is None:
-                raise
+        os.rename(unfinished, target)
+    except OSError:
+        if _facts_of(target) is None:
+            raise
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
 
@@ -182,7 +184,8 @@ def _draw(folder, model_name, key, options, threads, camera, region, name):
 def _run(client, distributed, tasks, window):
     """Has all tasks done, so that at most `window` are under way. tasks: an iterator of (function, arguments).
 
-    A task that takes much longer than others, as on a machine that hangs, is started once more elsewhere; the first answer counts.
+    A task that takes much longer than others, as on a machine that hangs, is started once more on a worker that has nothing
+    to do; the first answer counts. Until then its place is another's.
     """
     started = {}  # future: (function, arguments, since, number)
     copies = {}  # number: futures
@@ -211,7 +214,7 @@ def _run(client, distributed, tasks, window):
                     number += 1
             if not started:
                 break
-            if late and len(copies) - len(late) < window:
+            if late:
                 _start_elsewhere(client, late, started, start)
             try:
                 done, _ = distributed.wait(list(started), timeout=0.5, return_when="FIRST_COMPLETED")
@@ -234,16 +237,11 @@ def _run(client, distributed, tasks, window):
 
 
 def _start_elsewhere(client, late, started, start):
-    busy = {}
-    for worker, keys in client.processing().items():
-        for key in keys:
-            busy[key] = worker
-    workers = list(client.scheduler_info()["workers"])
-    for future in late:
-        others = [worker for worker in workers if worker != busy.get(future.key)]
-        if others:
-            function, arguments, _, number = started[future]
-            start(function, arguments, number, workers=others, allow_other_workers=True)
+    processing = client.processing()
+    idle = [worker for worker in client.scheduler_info()["workers"] if not processing.get(worker)]
+    for future in late[:len(idle)]:
+        function, arguments, _, number = started[future]
+        start(function, arguments, number, workers=idle, allow_other_workers=True)
 
 
 def _client(distributed, client):
