@@ -17,4 +17,6 @@ PYBIND11_MODULE(_core, m) {
   csgcast::python::bind_queries(m);
   csgcast::python::bind_shapes(m);
   csgcast::python::bind_pictures(m);
+  csgcast::python::bind_pickles(m);
+  csgcast::python::bind_distributed(m);
 }

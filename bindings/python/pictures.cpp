@@ -162,6 +162,13 @@ py::object background_told(const SceneDescription& description) {
   return tuple_of(color.r, color.g, color.b);
 }
 
+/// Four numbers, or None for the whole picture.
+std::optional<PixelRegion> region_from(const py::object& region) {
+  if (region.is_none()) return std::nullopt;
+  const auto [x0, y0, x1, y1] = region.cast<std::tuple<int, int, int, int>>();
+  return PixelRegion{x0, y0, x1, y1};
+}
+
 /// How a picture is made: the arguments of Model.render() but for those of the view.
 struct PictureArguments {
   int width;
@@ -169,6 +176,7 @@ struct PictureArguments {
   int samples;
   std::string mode;
   bool adaptive;
+  std::optional<PixelRegion> region;
 };
 
 Film picture(const Model& model, const PictureArguments& arguments, const ViewChange& change, py::object callback,
@@ -179,6 +187,7 @@ Film picture(const Model& model, const PictureArguments& arguments, const ViewCh
   options.samples = arguments.samples;
   options.mode = mode_named(arguments.mode);
   options.sampling = arguments.adaptive ? Sampling::adaptive : Sampling::regular;
+  options.region = arguments.region;
   Callbacks callbacks(std::move(callback), threads);
   options.progress = callbacks.progress();
   return callbacks.run([&] {
@@ -223,18 +232,25 @@ void bind_pictures(py::module_& m) {
     file.commit();
   });
   m.def("_render", [](const Model& model, int width, int height, int samples, const std::string& mode, bool adaptive,
-                      const py::object& camera, const py::object& lights, const py::object& background,
-                      const py::object& settings, py::object callback, int threads) {
+                      const py::object& region, const py::object& camera, const py::object& lights,
+                      const py::object& background, const py::object& settings, py::object callback, int threads) {
     const ViewChange change = change_of(camera, lights, background, settings);
-    return as_array(picture(model, {width, height, samples, mode, adaptive}, change, std::move(callback), threads));
+    return as_array(picture(model, {width, height, samples, mode, adaptive, region_from(region)}, change,
+                            std::move(callback), threads));
   });
-  m.def("_save_picture", [](const Model& model, const std::string& path, int width, int height, int samples,
-                            const std::string& mode, bool adaptive, const py::object& camera, const py::object& lights,
-                            const py::object& background, const py::object& settings, py::object callback,
-                            int threads) {
-    check_image_path(path);
-    const ViewChange change = change_of(camera, lights, background, settings);
-    write_image(picture(model, {width, height, samples, mode, adaptive}, change, std::move(callback), threads), path);
+  m.def("_save_picture",
+        [](const Model& model, const std::string& path, int width, int height, int samples, const std::string& mode,
+           bool adaptive, const py::object& region, const py::object& camera, const py::object& lights,
+           const py::object& background, const py::object& settings, py::object callback, int threads) {
+          check_image_path(path);
+          const ViewChange change = change_of(camera, lights, background, settings);
+          write_image(picture(model, {width, height, samples, mode, adaptive, region_from(region)}, change,
+                              std::move(callback), threads),
+                      path);
+        });
+  m.def("_band", [](int width, int height, int index, int count) {
+    const PixelRegion band = band_of_picture(width, height, index, count);
+    return py::make_tuple(band.x0, band.y0, band.x1, band.y1);
   });
   m.def("_described", described);
   m.def("_triple", [](const py::object& value, const char* name) { return tuple_of(vector_from(value, name)); });

@@ -10,8 +10,9 @@
 namespace csgcast::cli {
 
 std::vector<Command> all_commands() {
-  return {render_command(),    intervals_command(), locate_command(), measure_command(), section_command(),
-          thickness_command(), check_command(),     info_command(),   verify_command(),  help_command()};
+  return {render_command(),  intervals_command(), locate_command(), measure_command(),
+          section_command(), thickness_command(), check_command(),  info_command(),
+          verify_command(),  join_command(),      help_command()};
 }
 
 const Command& command_named(const std::string& name, std::span<const Command> commands) {

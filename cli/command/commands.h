@@ -18,6 +18,7 @@ Command thickness_command();
 Command check_command();
 Command info_command();
 Command verify_command();
+Command join_command();
 Command help_command();
 
 /// All of them, in the order in which the help lists them.

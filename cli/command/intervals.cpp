@@ -13,6 +13,7 @@
 #include "cli/output/format.h"
 #include "cli/output/interval_report.h"
 #include "cli/output/usage.h"
+#include "csg/base/number_text.h"
 #include "csg/base/precondition.h"
 #include "raycast/cells/cells.h"
 #include "raycast/packets/packet_caster.h"
@@ -160,24 +161,43 @@ class IntervalWorker {
   bool is_begun_ = false;  // the caster is at the present ray
 };
 
+/// What all parts of one result have alike. Files of rays are told apart by their sizes.
+PartLabel label_of(const text::Document& document, const IntervalsOptions& options, Span span) {
+  PartLabel label(document, options.scene);
+  label.add("tmin", number(span.from));
+  label.add("tmax", number(span.to));
+  label.add("by", options.by == By::scene ? "scene" : "part");
+  label.add("format", options.format == Format::csv ? "csv" : "json");
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(options.rays.file, error);
+  if (!error) label.add("rays", fmt::format("{} bytes", bytes));
+  return label;
+}
+
 void run(const IntervalsOptions& options) {
   const Span span = options.span();
   check_distinct(std::array{NamedFile{"the scene", options.scene.path}, NamedFile{"--rays", options.rays.file}},
                  std::array{NamedFile{"-o", options.output}});
   Rows rows(options.rays, options.scene);
   Output output(options.output);
-  const SceneInput input = read_scene(options.scene);
+  DocumentInput document = read_document(options.scene);
+  const PartLabel label = options.rays.range.empty() ? PartLabel() : label_of(document.document, options, span);
+  const SceneInput input = compile_document(std::move(document), options.scene);
   if (options.by == By::part && input.scene.parts().empty()) {
     throw Error(ErrorCode::usage, {options.scene.path, 0, 0}, "the scene has no parts", "--by part lists nothing else",
                 "name some with part(\"name\") { .. }, or leave --by out");
   }
-  const IntervalReport report(input.scene, options.format);
+  const IntervalReport report(input.scene, options.format, rows.range().first);
   std::optional<Cells> cells;
   if (IntervalWorker::suits(input.scene, options.rays, span, options.by)) cells.emplace(input.scene);
   output.write(report.head());
   answer_rows([&](NumberRow& row) { return rows.next(row); }, output,
               [&] { return IntervalWorker(input.scene, cells ? &*cells : nullptr, report, rows, span, options.by); });
-  output.write(report.tail());
+  if (options.rays.range.empty() || options.format == Format::table) {
+    output.write(report.tail());
+  } else {
+    output.write(options.format == Format::csv ? csv_mark(rows.range(), label) : json_mark(rows.range(), label));
+  }
   output.commit();
 }
 
@@ -187,6 +207,7 @@ Command intervals_command() {
   auto options = std::make_shared<IntervalsOptions>();
   Command command{.name = "intervals", .summary = "List where rays are inside the solid"};
   add_rows_option(command, options->rays, "One ray: its origin and its direction, which need not be unit");
+  add_range_option(command, options->rays);
   command.add({.names = "--line",
                .value = {},
                .help = "Take the whole line, from -inf to inf, instead of the ray from t = 0 on",

@@ -16,6 +16,7 @@
 #include "cli/input/distinct_files.h"
 #include "cli/input/options.h"
 #include "cli/input/scene_input.h"
+#include "cli/input/tile_file.h"
 #include "cli/output/output.h"
 #include "cli/output/printable.h"
 #include "cli/output/render_stats.h"
@@ -31,6 +32,12 @@ namespace {
 
 constexpr int largest_side = 65536;
 constexpr int most_samples = 1024;
+constexpr std::array<std::pair<const char*, Mode>, 6> modes{{{"shaded", Mode::shaded},
+                                                             {"edges", Mode::edges},
+                                                             {"xray", Mode::xray},
+                                                             {"depth", Mode::depth},
+                                                             {"normal", Mode::normal},
+                                                             {"id", Mode::id}}};
 
 struct RenderCommandOptions {
   SceneOptions scene;
@@ -42,6 +49,7 @@ struct RenderCommandOptions {
   std::optional<std::string> bits;
   std::string channels;
   std::string camera;
+  std::string tiles;
   std::string trace_pixel;
   std::string output;
   std::string stats;
@@ -58,6 +66,7 @@ struct Job {
   std::vector<Channel> channels{};  ///< none: a plain picture
   std::optional<CameraDescription> camera{};
   std::optional<std::pair<int, int>> pixel{};
+  std::optional<std::pair<int, int>> tile{};  ///< which of how many
 };
 
 /// The channels that --channels names, in its order; color and alpha apart.
@@ -178,6 +187,15 @@ Job check(const RenderCommandOptions& options) {
     job.pixel = {x, y};
   }
   check_files(options);
+  if (!options.tiles.empty()) {
+    job.tile = parse_pair("--tiles", options.tiles, '/', 0, largest_side);
+    if (options.output.empty()) throw UsageError("--tiles needs -o (where shall the tile go?)");
+    job.render.region = band_of_picture(job.render.width, job.render.height, job.tile->first, job.tile->second);
+    if (options.alpha || options.bits || !options.channels.empty())
+      throw UsageError("--bits, --alpha and --channels cannot be given beside --tiles");
+    check_tile_path(options.output);
+    return job;
+  }
   if (options.output.empty()) {
     if (!job.pixel) throw UsageError("-o is needed (where shall the picture go?)");
     if (!options.stats.empty()) throw UsageError("--stats needs -o (there is no picture to count rays of)");
@@ -196,6 +214,30 @@ struct PictureFiles {
   Output picture;
   std::optional<Output> stats;
 };
+
+const char* word(Mode mode) {
+  const auto found = std::find_if(modes.begin(), modes.end(), [&](const auto& m) { return m.second == mode; });
+  return found->first;
+}
+
+TileHead tile_head(const RenderCommandOptions& options, const Job& job, const text::Document& document) {
+  TileHead head{.index = job.tile->first,
+                .count = job.tile->second,
+                .width = job.render.width,
+                .height = job.render.height,
+                .region = *job.render.region,
+                .content = content(job.render.mode),
+                .label = PartLabel(document, options.scene)};
+  head.label.add("mode", word(job.render.mode));
+  head.label.add("samples", fmt::to_string(job.render.samples));
+  head.label.add("adaptive", options.adaptive ? "yes" : "no");
+  if (!options.camera.empty()) {
+    std::string camera;
+    for (const double value : parse_numbers("--camera", options.camera)) camera += ' ' + number(value);
+    head.label.add("camera", camera.substr(1));
+  }
+  return head;
+}
 
 /// What a picture's file says of itself.
 std::vector<std::pair<std::string, std::string>> notes(const RenderCommandOptions& options, const View& view) {
@@ -222,7 +264,7 @@ std::vector<NamedChannels> layers(const Job& job, const std::optional<Film>& col
 }
 
 void render_picture(const RenderCommandOptions& options, Job& job, const SceneInput& input, const View& view,
-                    PictureFiles& files) {
+                    std::optional<TileHead> tile, PictureFiles& files) {
   RenderReport report;
   std::optional<ProgressBar> bar(std::in_place, "render", options.scene.progress());
   job.render.progress = bar->callback();
@@ -235,10 +277,16 @@ void render_picture(const RenderCommandOptions& options, Job& job, const SceneIn
   if (!job.channels.empty()) films = channel_films(input.scene, view, job.render, job.channels);
   bar.reset();
   const Stopwatch write_watch;
-  const PictureOptions picture{job.picture.bits, notes(options, view)};
-  const std::string name = picture_name(options.output);
-  files.picture.write(options.channels.empty() ? image_bytes(*color, name, picture)
-                                               : layer_bytes(layers(job, color, films), name, picture));
+  const std::vector<std::pair<std::string, std::string>> said = notes(options, view);
+  if (tile) {
+    for (const auto& [name, text] : said) tile->add_note(name, text);
+    write_tile(*tile, *color, files.picture);
+  } else {
+    const PictureOptions picture{job.picture.bits, said};
+    const std::string name = picture_name(options.output);
+    files.picture.write(options.channels.empty() ? image_bytes(*color, name, picture)
+                                                 : layer_bytes(layers(job, color, films), name, picture));
+  }
   files.picture.commit();
   if (!files.stats) return;
   files.stats->write(render_stats(
@@ -251,7 +299,10 @@ void run(const RenderCommandOptions& options) {
   Job job = check(options);
   std::optional<PictureFiles> files;
   if (!options.output.empty()) files.emplace(options);
-  SceneInput input = read_scene(options.scene);
+  DocumentInput document = read_document(options.scene);
+  std::optional<TileHead> tile;
+  if (job.tile) tile = tile_head(options, job, document.document);
+  SceneInput input = compile_document(std::move(document), options.scene);
   if (job.camera) input.description.camera = job.camera;
   const View view = make_view(input.description, input.scene, double(job.render.width) / job.render.height);
   if (job.pixel) {
@@ -259,7 +310,7 @@ void run(const RenderCommandOptions& options) {
     output.write(trace_pixel(input.scene, view, job.render, job.pixel->first, job.pixel->second));
     output.commit();
   }
-  if (files) render_picture(options, job, input, view, *files);
+  if (files) render_picture(options, job, input, view, tile, *files);
 }
 
 }  // namespace
@@ -293,13 +344,11 @@ Command render_command() {
        .value = "ex,ey,ez,ax,ay,az",
        .help = "The eye and the point looked at; or seven numbers: OpenSCAD's translation, rotation and distance",
        .take = into(options->camera)});
-  command.add(choice<Mode>("--mode", options->render.mode, "What the picture shows",
-                           {{"shaded", Mode::shaded},
-                            {"edges", Mode::edges},
-                            {"xray", Mode::xray},
-                            {"depth", Mode::depth},
-                            {"normal", Mode::normal},
-                            {"id", Mode::id}}));
+  command.add({.names = "--tiles",
+               .value = "i/n",
+               .help = "Only tile i of n, bands of rows from 0 at the top, as .csgtile; join makes the picture of all",
+               .take = into(options->tiles)});
+  command.add(choice<Mode>("--mode", options->render.mode, "What the picture shows", {modes.begin(), modes.end()}));
   command.add({.names = "--bits",
                .value = "8|16|32",
                .help = "Bits of a number in the file, 32 for floats (default: what is usual for its kind)",

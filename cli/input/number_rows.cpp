@@ -69,14 +69,27 @@ double NumberRows::share_read() const {
 
 bool NumberRows::next(NumberRow& row) {
   std::string_view line;
+  if (!next_row(line)) return false;
+  parse(line, row);
+  row.index = row_count_++;
+  return true;
+}
+
+bool NumberRows::skip() {
+  std::string_view line;
+  if (!next_row(line)) return false;
+  ++row_count_;
+  return true;
+}
+
+/// The next line that holds a row, as next_line().
+bool NumberRows::next_row(std::string_view& line) {
   while (next_line(line)) {
     if (trimmed(line).empty()) continue;
     if (line_ == 1 && is_header(line)) {
       check_header(line);
       continue;
     }
-    parse(line, row);
-    row.index = row_count_++;
     return true;
   }
   return false;

@@ -38,6 +38,10 @@ class NumberRows {
   /// number that is not finite or beyond the range of double, too few or too many of them, a line of more than 4096
   /// bytes.
   bool next(NumberRow& row);
+  /// Passes over the next row without looking at its numbers; false at the end.
+  bool skip();
+  /// How many rows were read or passed over.
+  std::uint64_t count() const { return row_count_; }
 
   /// How much of the file has been read, in [0, 1]; 0 if its size is unknown.
   double share_read() const;
@@ -50,6 +54,7 @@ class NumberRows {
   };
 
   bool next_line(std::string_view& line);
+  bool next_row(std::string_view& line);
   bool fill();
   bool is_header(std::string_view line) const;
   void check_header(std::string_view line) const;

@@ -21,10 +21,23 @@ void add_rows_option(Command& command, RowsOption& option, const std::string& he
                .completes = Completes::files});
 }
 
+void add_range_option(Command& command, RowsOption& option) {
+  command.add({.names = "--rows",
+               .value = "a:b",
+               .help = fmt::format("Only rows a to b - 1 of {}, counted from 0; join puts the results together",
+                                   option.file_name),
+               .take = into(option.range)});
+}
+
 Rows::Rows(const RowsOption& option, const SceneOptions& scene)
     : option_(option), progress_(option.file_name.substr(2), scene.progress()) {
   if (option.single.empty() == option.file.empty()) {
     throw UsageError(fmt::format("exactly one of {} and {} is needed", option.single_name, option.file_name));
+  }
+  if (!option.range.empty()) {
+    range_ = parse_rows("--rows", option.range);
+    if (option.file.empty())
+      throw UsageError(fmt::format("--rows needs {} (it takes rows of a file)", option.file_name));
   }
   if (option.file.empty()) {
     single_ = parse_numbers(option.single_name, option.single, option.columns.size());
@@ -36,10 +49,27 @@ Rows::Rows(const RowsOption& option, const SceneOptions& scene)
   file_ = std::make_unique<NumberRows>(option.file, option.columns);
 }
 
+void Rows::skip_to_first() {
+  is_begun_ = true;
+  while (file_->count() < range_.first && file_->skip()) {
+  }
+  if (file_->count() < range_.first) {
+    throw Error(ErrorCode::usage, {file_->file(), 0, 0}, fmt::format("there are no rows from {} on", range_.first),
+                fmt::format("the file has {}", file_->count()), "give --rows within the file");
+  }
+}
+
 bool Rows::next(NumberRow& row) {
   if (file_) {
     progress_.update(file_->share_read());
-    return file_->next(row);
+    if (!is_begun_) skip_to_first();
+    if (is_done_) return false;
+    if (file_->count() < range_.end && file_->next(row)) return true;
+    is_done_ = true;
+    const std::uint64_t end = file_->count();
+    range_.is_last = end < range_.end || !file_->skip();
+    range_.end = end;
+    return false;
   }
   if (single_.empty()) return false;
   row = {};

@@ -100,7 +100,7 @@ void IntervalReport::append_csv(std::string& out, std::uint64_t index, const Fac
 }
 
 void IntervalReport::append_json(std::string& out, std::uint64_t index, const Ray& ray, const RayAnswer& answer) const {
-  out += index == 0 ? "\n" : ",\n";
+  out += index == first_ ? "\n" : ",\n";
   Json json(out);
   json.begin_object(Json::Layout::compact).member("ray", index);
   json.member("origin", ray.origin()).member("direction", ray.direction()).key("intervals").begin_array();
@@ -135,7 +135,7 @@ void IntervalReport::append_json(std::string& out, std::uint64_t index, const Ra
 
 void IntervalReport::append_table(std::string& out, std::uint64_t index, const Ray& ray,
                                   const RayAnswer& answer) const {
-  if (index > 0) out += '\n';
+  if (index > first_) out += '\n';
   out += fmt::format("ray {} from {} along {}", index, coordinates(ray.origin()), coordinates(ray.direction()));
   if (answer.intervals.empty()) {
     out += ": nothing\n";

@@ -32,8 +32,9 @@ struct RayAnswer {
 /// Writes the intervals of rays in one format: head, rays in their order, tail.
 class IntervalReport {
  public:
-  /// The scene must outlive the report.
-  IntervalReport(const Scene& scene, Format format) : scene_(scene), format_(format) {}
+  /// The scene must outlive the report; `first` is the number of the first ray.
+  IntervalReport(const Scene& scene, Format format, std::uint64_t first = 0)
+      : scene_(scene), format_(format), first_(first) {}
 
   /// What one ray shows of them: of a scene of thousands of parts in one place there are millions.
   static constexpr std::size_t most_overlaps = 1000;
@@ -55,6 +56,7 @@ class IntervalReport {
 
   const Scene& scene_;
   Format format_;
+  std::uint64_t first_;
 };
 
 }  // namespace csgcast::cli

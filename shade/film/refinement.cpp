@@ -67,6 +67,10 @@ void Refinement::choose(Pixel pixel) {
   state(pixel.x, pixel.y).compare_exchange_strong(expected, State::chosen, std::memory_order_relaxed);
 }
 
+bool Refinement::is_chosen(Pixel pixel) const {
+  return states_[index(pixel.x, pixel.y)].load(std::memory_order_relaxed) != State::sufficient;
+}
+
 bool Refinement::take(const Tile& tile, std::vector<Pixel>& pixels) {
   pixels.clear();
   for (int y = tile.y0; y < tile.y1; ++y) {

@@ -28,6 +28,8 @@ class Refinement {
   void choose_contrasts(const Film& centers, const Tile& tile);
   /// Chooses a pixel, if it is in the picture.
   void choose(Pixel pixel);
+  /// Whether a pixel of the picture is chosen, taken or not.
+  bool is_chosen(Pixel pixel) const;
   /// Overwrites `pixels` with those of the tile, row by row, that were chosen and not taken before. Whether there are
   /// any. Not for the same tile on two threads at a time.
   bool take(const Tile& tile, std::vector<Pixel>& pixels);
@@ -35,9 +37,10 @@ class Refinement {
  private:
   enum class State : std::uint8_t { sufficient, chosen, taken };
 
-  std::atomic<State>& state(int x, int y) {
-    return states_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
+  std::atomic<State>& state(int x, int y) { return states_[index(x, y)]; }
 
   int width_;
   int height_;

@@ -21,6 +21,7 @@
 #include "raycast/packets/threads.h"
 #include "shade/film/camera.h"
 #include "shade/trace/detail/shading_lanes.h"
+#include "shade/trace/detail/surroundings.h"
 #include "shade/trace/detail/tiles.h"
 
 namespace csgcast {
@@ -51,6 +52,15 @@ void check(const RenderOptions& options) {
     throw Error(ErrorCode::usage, {}, "adaptive samples in a mode other than shaded",
                 "pixels are compared by their light", "take regular ones");
   }
+  if (options.region) {
+    const PixelRegion& r = *options.region;
+    if (r.x0 < 0 || r.y0 < 0 || r.x1 > options.width || r.y1 > options.height || r.width() < 1 || r.height() < 1) {
+      throw Error(ErrorCode::usage, {},
+                  fmt::format("the region {},{} to {},{} of a picture of {}", r.x0, r.y0, r.x1, r.y1, size),
+                  "it is empty or not within the picture",
+                  "give columns and rows that are, the last ones not included");
+    }
+  }
   PacketCaster::check_instructions(options.instructions);
 }
 
@@ -64,16 +74,48 @@ int grid_of(const RenderOptions& options) {
   return grid;
 }
 
-std::vector<detail::Tile> tiles_of(int width, int height) {
-  std::vector<detail::Tile> tiles;
+using Tiles = std::vector<detail::Tile>;
+
+Tiles tiles_of(const detail::Tile& area) {
+  Tiles tiles;
   constexpr int side = detail::tile_side;
-  for (int y = 0; y < height; y += side) {
-    for (int x = 0; x < width; x += side) {
-      tiles.push_back({x, y, std::min(x + side, width), std::min(y + side, height)});
+  for (int y = area.y0; y < area.y1; y += side) {
+    for (int x = area.x0; x < area.x1; x += side) {
+      tiles.push_back({x, y, std::min(x + side, area.x1), std::min(y + side, area.y1)});
     }
   }
   return tiles;
 }
+
+// What is asked for of a picture, and what a film has to hold for that.
+struct Canvas {
+  PixelRegion film;    // in the picture
+  detail::Tile asked;  // in the film
+
+  Canvas(const RenderOptions& options, Sampling sampling)
+      : film(options.region.value_or(PixelRegion{0, 0, options.width, options.height})) {
+    const PixelRegion region = film;
+    if (sampling == Sampling::adaptive) {  // contrasts are those with the pixels around
+      film = {std::max(film.x0 - 1, 0), std::max(film.y0 - 1, 0), std::min(film.x1 + 1, options.width),
+              std::min(film.y1 + 1, options.height)};
+    }
+    asked = {region.x0 - film.x0, region.y0 - film.y0, region.x1 - film.x0, region.y1 - film.y0};
+  }
+
+  Film cut(Film whole) const {
+    const int width = asked.x1 - asked.x0;
+    const int height = asked.y1 - asked.y0;
+    if (width == whole.width() && height == whole.height()) return whole;
+    Film part(width, height, whole.content());
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        for (int c = 0; c < channels(whole.content()); ++c)
+          part.value(x, y, c) = whole.value(x + asked.x0, y + asked.y0, c);
+      }
+    }
+    return part;
+  }
+};
 
 // Of the whole process, all threads.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -81,24 +123,29 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 // The threads of a picture's tiles, each with a renderer of its own.
 class Workers {
  public:
-  Workers(const detail::Job& job, int width, int height) : job_(job), tiles_(tiles_of(width, height)) {}
-
-  std::size_t tiles() const { return tiles_.size(); }
+  explicit Workers(const detail::Job& job) : job_(job) {}
 
   // Calls work(renderer, tile) for each tile.
   template <class Work>
-  void each_tile(Work&& work) {
+  void each_tile(const Tiles& tiles, Work&& work) {
     // A small picture is done before a scheduler is at work.
-    if (tiles_.size() == 1 || thread_count() == 1) {
-      for (const detail::Tile& tile : tiles_) work(renderer(), tile);
+    if (tiles.size() == 1 || thread_count() == 1) {
+      for (const detail::Tile& tile : tiles) work(renderer(), tile);
       return;
     }
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, tiles_.size(), 1),
+        tbb::blocked_range<std::size_t>(0, tiles.size(), 1),
         [&](const auto& range) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) work(renderer(), tiles_[i]);
+          for (std::size_t i = range.begin(); i < range.end(); ++i) work(renderer(), tiles[i]);
         },
         tbb::simple_partitioner());
+  }
+
+  // The calling thread's.
+  detail::TileRenderer& renderer() {
+    std::unique_ptr<detail::TileRenderer>& own = renderers_.local();
+    if (!own) own = std::make_unique<detail::TileRenderer>(job_);
+    return *own;
   }
 
   RenderReport report() const {
@@ -108,45 +155,65 @@ class Workers {
   }
 
  private:
-  detail::TileRenderer& renderer() {
-    std::unique_ptr<detail::TileRenderer>& own = renderers_.local();
-    if (!own) own = std::make_unique<detail::TileRenderer>(job_);
-    return *own;
-  }
-
   const detail::Job& job_;
-  std::vector<detail::Tile> tiles_;
   tbb::enumerable_thread_specific<std::unique_ptr<detail::TileRenderer>> renderers_;
 };
 
+// Chooses the pixels of the tile that the picture around it reaches. Whether there were any. The sides of the pixels
+// around are looked along by all threads; what is farther away is rare.
+bool choose_from_beyond(Workers& workers, const detail::Surroundings& surroundings, detail::Refinement& refinement) {
+  using detail::PixelSide;
+  const std::vector<PixelSide> sides = surroundings.open_sides(refinement);
+  constexpr std::size_t at_once = 512;
+  std::vector<std::vector<PixelSide>> varying((sides.size() + at_once - 1) / at_once);
+  tbb::parallel_for(std::size_t{0}, varying.size(), [&](std::size_t i) {
+    const auto some = std::span(sides).subspan(i * at_once, std::min(at_once, sides.size() - i * at_once));
+    std::vector<bool> varies;
+    workers.renderer().look_along_sides(some, varies);
+    for (std::size_t j = 0; j < some.size(); ++j) {
+      if (varies[j]) varying[i].push_back(some[j]);
+    }
+  });
+  std::vector<PixelSide> reaching;
+  for (const auto& some : varying) reaching.insert(reaching.end(), some.begin(), some.end());
+  return !reaching.empty() && surroundings.choose(reaching, workers.renderer(), refinement);
+}
+
 // All pixels with one sample, then those again that this is not enough for. Each step ends before the next begins.
-void fill_adaptively(Workers& workers, Film& film, const ProgressCallback& callback) {
+void fill_adaptively(Workers& workers, const detail::Job& job, const Canvas& canvas, Film& film,
+                     const ProgressCallback& callback) {
   using detail::Tile;
   using detail::TileRenderer;
-  ProgressTeller progress(callback, 2 * workers.tiles());
-  workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
+  const Tiles tiles = tiles_of(canvas.asked);
+  const Tiles with_border = tiles_of({0, 0, film.width(), film.height()});
+  ProgressTeller progress(callback, with_border.size() + tiles.size());
+  workers.each_tile(with_border, [&](TileRenderer& renderer, const Tile& tile) {
     renderer.render(tile, film);
     progress.step();
   });
   detail::Refinement refinement(film.width(), film.height());
-  workers.each_tile([&](TileRenderer&, const Tile& tile) { refinement.choose_contrasts(film, tile); });
-  workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
+  workers.each_tile(tiles, [&](TileRenderer&, const Tile& tile) { refinement.choose_contrasts(film, tile); });
+  workers.each_tile(tiles, [&](TileRenderer& renderer, const Tile& tile) {
     renderer.refine(tile, refinement, film);
     progress.step();
   });
-  // What a tile chose in another one that was done by then.
-  std::atomic<bool> again = true;
-  while (again.exchange(false)) {
-    workers.each_tile([&](TileRenderer& renderer, const Tile& tile) {
-      if (renderer.refine(tile, refinement, film)) again = true;
-    });
-  }
+  const detail::Surroundings surroundings(job, canvas.asked);
+  do {
+    // What a tile chose in another one that was done by then.
+    std::atomic<bool> again = true;
+    while (again.exchange(false)) {
+      workers.each_tile(tiles, [&](TileRenderer& renderer, const Tile& tile) {
+        if (renderer.refine(tile, refinement, film)) again = true;
+      });
+    }
+  } while (choose_from_beyond(workers, surroundings, refinement));
   progress.finish();
 }
 
-void fill(Workers& workers, Film& film, const ProgressCallback& callback) {
-  ProgressTeller progress(callback, workers.tiles());
-  workers.each_tile([&](detail::TileRenderer& renderer, const detail::Tile& tile) {
+void fill(Workers& workers, const Canvas& canvas, Film& film, const ProgressCallback& callback) {
+  const Tiles tiles = tiles_of(canvas.asked);
+  ProgressTeller progress(callback, tiles.size());
+  workers.each_tile(tiles, [&](detail::TileRenderer& renderer, const detail::Tile& tile) {
     renderer.render(tile, film);
     progress.step();
   });
@@ -160,7 +227,10 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
   const Camera camera(view.camera, options.width, options.height);
   // What is there before the first ray: memory for the picture, and the code for this machine. Before the cells, which
   // are to be in the cache then.
-  Film film(options.width, options.height, content(options.mode));
+  const int grid = grid_of(options);
+  const Sampling sampling = grid > 1 ? options.sampling : Sampling::regular;
+  const Canvas canvas(options, sampling);
+  Film film(canvas.film.width(), canvas.film.height(), content(options.mode));
   detail::shading_code(options.instructions);
   const auto before_cells = Clock::now();
   std::optional<Cells> own_cells;
@@ -175,23 +245,28 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
     layer_cells = kept.layer_cells != nullptr ? kept.layer_cells : &own_layer_cells.emplace(scene);
   const auto start = Clock::now();
   const double cpu_start = cpu_seconds();
-  const int grid = grid_of(options);
-  const Sampling sampling = grid > 1 ? options.sampling : Sampling::regular;
   const detail::Job job{.scene = scene,
                         .view = view,
                         .camera = camera,
                         .mode = options.mode,
+                        .width = options.width,
+                        .height = options.height,
+                        .origin = {canvas.film.x0, canvas.film.y0},
                         .grid = grid,
                         .sampling = sampling,
                         .cells = cells,
                         .layer_cells = layer_cells,
                         .instructions = options.instructions};
-  Workers workers(job, options.width, options.height);
+  Workers workers(job);
   const bool adaptive = sampling == Sampling::adaptive;
-  adaptive ? fill_adaptively(workers, film, options.progress) : fill(workers, film, options.progress);
+  if (adaptive) {
+    fill_adaptively(workers, job, canvas, film, options.progress);
+  } else {
+    fill(workers, canvas, film, options.progress);
+  }
   if (report != nullptr) {
     RenderReport cost = workers.report();
-    const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(options.height);
+    const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
     if (adaptive) {
       cost.skipped.primary_like_neighbours = (pixels - cost.refined_pixels) * static_cast<unsigned>(grid * grid - 1);
     }
@@ -200,7 +275,7 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
     cost.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     *report += cost;
   }
-  return film;
+  return canvas.cut(std::move(film));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "csg/base/progress.h"
@@ -10,6 +11,7 @@
 #include "raycast/ray/caster.h"
 #include "raycast/scene/scene.h"
 #include "shade/film/film.h"
+#include "shade/film/pixel_region.h"
 #include "shade/film/view.h"
 #include "shade/trace/report.h"
 
@@ -51,6 +53,9 @@ struct RenderOptions {
   Engine engine = Engine::packets;
   /// What packets are made for: one of PacketCaster::instruction_sets(); by default the best. The picture is the same.
   std::string instructions;
+  /// The part of the picture that is made, and no other: bit for bit what it is in the whole. None: all of it. Costs
+  /// what its pixels cost; adaptive samples look at the pixels around it, too.
+  std::optional<PixelRegion> region{};
   int threads = 0;  ///< as of on_threads() (raycast/packets/threads.h); 0: those of the present arena
   ProgressCallback progress{};
 };
@@ -67,16 +72,17 @@ struct KeptCells {
 /// Whether a picture in this mode asks the layers: of a scene that transmits, and has few enough of them.
 bool asks_layers(const Scene& scene, const View& view, const RenderOptions& options);
 
-/// A picture, the same bit for bit on any number of threads. Throws Error(limit) for a size or number of samples that
-/// is not positive or too large (65,536 pixels a side, 2^27 in all, 1,024 samples), Error(bad_value) for a view that no
-/// camera has, Error(usage) for adaptive samples in a mode other than shaded, or instructions that the machine does not
-/// have; Cancelled. Adds to *report if it is not null. Precondition: `kept` is of this scene.
+/// A picture, the same bit for bit on any number of threads; of a region a film of its size. Throws Error(limit) for a
+/// size or number of samples that is not positive or too large (65,536 pixels a side, 2^27 in all, 1,024 samples),
+/// Error(bad_value) for a view that no camera has, Error(usage) for adaptive samples in a mode other than shaded,
+/// instructions that the machine does not have, or a region that is empty or not within the picture; Cancelled. Adds to
+/// *report if it is not null. Precondition: `kept` is of this scene.
 Film render(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report = nullptr,
             const KeptCells& kept = {});
 
 /// The tree of rays of one pixel's centre as indented text, a line for each ray: kind, weight, t and place of the hit,
 /// what it brings. Pixel (0, 0) is the top left one; throws Error(usage) for one outside the picture, and for modes
-/// other than shaded.
+/// other than shaded. Whatever the region.
 std::string trace_pixel(const Scene& scene, const View& view, const RenderOptions& options, int x, int y);
 
 }  // namespace csgcast

@@ -166,7 +166,7 @@ def c_names(root):
 def command_names(root):
     """Commands, and options."""
     texts = [path.read_text() for path in sorted((root / "cli").rglob("*.cpp"))]
-    return {name for text in texts for name in re.findall(r'add_subcommand\(\s*"([\w-]+)"', text)}, \
+    return {name for text in texts for name in re.findall(r'Command command\{\s*\.name = "([\w-]+)"', text)}, \
         {name for text in texts for name in re.findall(r'"(?:-\w,)?(--[\w-]+)[,"]', text)}
 
 

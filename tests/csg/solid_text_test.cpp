@@ -7,6 +7,7 @@
 #include "csg/solid/primitives.h"
 #include "csg/solid/simplify.h"
 #include "csg/text/statement/builder.h"
+#include "csg/text/syntax/each_statement.h"
 #include "csg/text/syntax/reader.h"
 #include "csg/text/syntax/writer.h"
 #include "tests/support/catch.h"
@@ -106,6 +107,20 @@ TEST_CASE("trees, transforms, parts and looks are read back as they are") {
   REQUIRE(back.kind() == Solid::Kind::look);
   CHECK(back.look().material == glass);
   CHECK(back.children()[0].look().paint == Paint{{1, 0, 0}, 1});
+}
+
+TEST_CASE("statements bear the places of the nodes that they are made of, those of one file") {
+  const char* scene = "cube(1);\ndifference() {\n  sphere(2);\n    translate([1, 2, 3]) { cube(3); }\n}\n";
+  const Solid solid = text::build(text::read(scene, "scene.csg")).solid;
+  const Solid other = text::build(text::read("\n\n  sphere(7);", "other.csg")).solid;
+  const text::Document document = text::document_of(solid + other + sphere(5));
+  CHECK(document.file.string() == "scene.csg");
+  std::string places;
+  text::each_statement(std::span<const text::Node>(document.nodes), [&](const text::Node& node) {
+    if (node.name == "cube" || node.name == "sphere")
+      places += std::to_string(node.line) + ':' + std::to_string(node.column) + ' ';
+  });
+  CHECK(places == "1:1 3:3 4:28 0:0 0:0 ");
 }
 
 TEST_CASE("a truth function is written as unions and intersections of half-spaces, the same set") {

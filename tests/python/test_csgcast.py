@@ -213,6 +213,7 @@ LONG_CALLS = {
     "first_hits": lambda m, progress: m.first_hits(MANY, [0, 0, 1], progress=progress).t,
     "any_hits": lambda m, progress: m.any_hits(MANY, [0, 0, 1], progress=progress),
     "locate": lambda m, progress: m.locate(MANY, progress=progress),
+    "thickness": lambda m, progress: m.thickness(MANY, [0, 0, 1], progress=progress),
     "measure": lambda m, progress: m.measure(progress=progress).volume,
     "section": lambda m, progress: m.section([0, 0.1, 1], progress=progress).area,
     "thinnest": lambda m, progress: m.thinnest(30, progress=progress)[0],
@@ -475,6 +476,69 @@ def test_solids_are_written_and_pickled(tmp_path):
         assert np.array_equal(lists[0].parts, other.parts)
     assert csgcast.sphere(0.1).translate([1, 0, 0]).to_text().split() == (
         "multmatrix(m = [[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { sphere(r = 0.1); }".split())
+
+
+def test_models_and_scenes_are_pickled_and_copied(tmp_path):
+    (tmp_path / "scene.csg").write_text((EXAMPLES / "still-life.csg").read_text())
+    scene = csgcast.load(tmp_path / "scene.csg")
+    model = scene.compile()
+    (tmp_path / "scene.csg").unlink()
+    o = np.random.default_rng(1).normal(size=(500, 3)) * 9
+    for other in (pickle.loads(pickle.dumps(model)), copy.copy(model), copy.deepcopy(model), pickle.loads(pickle.dumps(scene)).compile(),
+                  copy.deepcopy(scene).compile()):
+        one, two = model.intervals(o, -o), other.intervals(o, -o)
+        assert all(np.array_equal(getattr(one, name), getattr(two, name)) for name in one.__dataclass_fields__)
+        leaves = range(model.counts["leaves"])
+        assert [model.leaf(i) for i in leaves] == [other.leaf(i) for i in leaves] and "scene.csg:" in model.leaf(0)
+        assert np.array_equal(model.render(64, 48), other.render(64, 48))
+        assert model.parts == other.parts and model.counts == other.counts
+    assert pickle.dumps(model) == pickle.dumps(pickle.loads(pickle.dumps(model)))
+    odd = csgcast.read("cube(1); camera(eye = [9, 8, 7], look_at = [0, 0, 0], height = 3); background([0.1, 0.2, 0.3]);"
+                       "light(position = [1, 2, 30], falloff = 20, color = [1, 0.5, 0.25]); light(direction = [1, 2, -3], intensity = 0.3);"
+                       "settings(max_depth = 0); scale([0, 1, 1]) { cube(1); }")
+    again = pickle.loads(pickle.dumps(odd))
+    assert odd.warnings == again.warnings != []
+    assert np.array_equal(odd.compile().render(40, 30), again.compile().render(40, 30))
+
+
+def test_colors_and_welding_survive_a_pickle():
+    random = np.random.default_rng(3)
+    balls = [csgcast.sphere(0.5).translate([i % 12, i // 12, 0]).color(list(random.random(3)) + [1.0]) for i in range(144)]
+    camera = {"eye": [5.5, 5.5, 40], "look_at": [5.5, 5.5, 0], "up": [0, 1, 0], "height": 13}
+    model = csgcast.union(balls).compile()
+    again = pickle.loads(pickle.dumps(model))
+    assert np.array_equal(model.render(96, 96, camera=camera), again.render(96, 96, camera=camera))
+    near = csgcast.box(1) + csgcast.box(1).translate([1 + 1e-9, 0, 0])
+    for weld in (None, 0, 1e-6):
+        model = near.compile(weld=weld)
+        assert pickle.loads(pickle.dumps(model)).counts["surfaces"] == model.counts["surfaces"]
+    assert near.compile(weld=1e-6).counts["surfaces"] < near.compile(weld=0).counts["surfaces"]
+    assert pickle.loads(pickle.dumps(csgcast.sphere(1).compile())).leaf(0) == "sphere"  # made here: without a place
+
+
+def test_a_region_of_a_picture(model):
+    whole = model.render(60, 40, samples=9, adaptive=True)
+    assert np.array_equal(model.render(60, 40, samples=9, adaptive=True, region=(7, 11, 33, 40)), whole[11:40, 7:33])
+    tiles = [model.render(60, 40, samples=9, adaptive=True, tile=(i, 3)) for i in range(3)]
+    assert [tile.shape[0] for tile in tiles] == [13, 13, 14] and np.array_equal(np.concatenate(tiles), whole)
+    with pytest.raises(csgcast.Error, match="tile 3/3 does not exist"):
+        model.render(60, 40, tile=(3, 3))
+    with pytest.raises(csgcast.Error, match="empty or not within the picture"):
+        model.render(60, 40, region=(0, 0, 61, 40))
+    with pytest.raises(ValueError, match="not both"):
+        model.render(60, 40, region=(0, 0, 1, 1), tile=(0, 2))
+
+
+def test_thickness_along_rays():
+    plate = csgcast.box([10, 10, 2]).compile()
+    assert plate.thickness([[5, 5, 9], [5, 5, -9], [20, 5, 9], [5, 5, 1]], [[0, 0, -1], [1, 1, 9], [0, 0, -1], [0, 0, 1]]).tolist() == [2, 2, 0, 0]
+    assert plate.thickness([5, 5, 9], [[0, 0, -1], [0, 0, 1]]).tolist() == [2, 0]
+    assert csgcast.halfspace([0, 0, 1], 0).compile().thickness([0, 0, 9], [0, 0, -1]).tolist() == [np.inf]
+    assert len(plate.thickness([], [])) == 0
+    with pytest.raises(csgcast.Error, match="ray 1 .* cannot be cast"):
+        plate.thickness([0, 0, 0], [[0, 0, 1], [0, 0, 0]])
+    with pytest.raises(csgcast.Cancelled):
+        plate.thickness(np.zeros((100000, 3)) + [5, 5, 9], [0, 0, -1], progress=lambda share: False)
 
 
 def test_everything_public_says_what_it_is():

@@ -259,8 +259,19 @@ class Model:
     """
 
     def __init__(self, solid, weld=None, _description=None, *, threads=0):
+        self._solid = solid
+        self._weld = weld
         self._description = _description or _core._Description()
         self._model = _core._Model(_description or solid, weld, threads)
+
+    def __reduce__(self):
+        return _model_from, (self._solid, self._weld, _core._description_state(self._description))
+
+    def __copy__(self):
+        return self  # nothing changes it
+
+    def __deepcopy__(self, _):
+        return self
 
     def intervals(self, origins, directions, *, t_min=0.0, t_max=_inf, line=False, faces=True, normals=True, threads=0, progress=None):
         """All intervals of each ray that lie in [t_min, t_max], or on its whole line, as Intervals. Without faces and normals
@@ -280,6 +291,12 @@ class Model:
     def locate(self, points, *, threads=0, progress=None):
         """For each point 1 inside, 0 on the boundary, -1 outside: int8. Never falsely inside or outside."""
         return self._model.locate(points, progress, threads)
+
+    def thickness(self, origins, directions, *, threads=0, progress=None):
+        """How thick the solid is at the first face that each ray enters by, from there straight in to the boundary again: (rays,);
+        0 where a ray enters by none, inf where nothing ends the solid."""
+        origins, directions = _np.broadcast_arrays(_rows(origins), _rows(directions))
+        return _core._thickness(self._model, origins, directions, progress, threads)
 
     def measure(self, relative_error=1e-4, area_error=1e-3, *, threads=0, progress=None, enough=None):
         """Volume, area, mass, centroid, inertia and bounds, as Measures; errors of volume and area relative to them are as
@@ -305,18 +322,21 @@ class Model:
         return Check(**_core._check(self._model, progress, threads))
 
     def render(self, width=800, height=600, *, samples=1, mode="shaded", camera=None, lights=None, background=None,
-               settings=None, adaptive=False, path=None, threads=0, progress=None):
+               settings=None, adaptive=False, tile=None, region=None, path=None, threads=0, progress=None):
         """A picture: float32, (height, width, 3) of linear light or of normals, (height, width) of depths, lengths or ids.
         mode: shaded, edges, xray (lengths inside), depth, normal or id (leaves). camera: a Camera, or a dict of its arguments;
         lights: Lights, () is none; background: linear, three numbers, or a name or '#rrggbb'; settings: Settings. What is None is
         the scene's, or a default: a camera that frames the solid, a light beside it, a pale sky. samples: rays a pixel, rounded
-        up to a square number; adaptive: all of them only in pixels that do not look like those around. With path (.png, .jpg,
-        .tif, .exr) it is written there instead."""
+        up to a square number; adaptive: all of them only in pixels that do not look like those around. region (x0, y0, x1, y1):
+        only these columns and rows, the last ones not included, bit for bit what they are in the whole picture; tile (i, n): only
+        the i-th of n bands of rows, from 0 at the top. With path (.png, .jpg, .tif, .exr and others) it is written there
+        instead."""
+        region = _region_of(width, height, tile, region)
         view = (_told(camera), lights, background, settings, progress, threads)
         if path is not None:
-            _core._save_picture(self._model, _fspath(path), width, height, samples, mode, adaptive, *view)
+            _core._save_picture(self._model, _fspath(path), width, height, samples, mode, adaptive, region, *view)
             return None
-        return _core._render(self._model, width, height, samples, mode, adaptive, *view)
+        return _core._render(self._model, width, height, samples, mode, adaptive, region, *view)
 
     def leaf(self, index):
         """What a leaf is and which statement made it: 'sphere at part.csg:3:5'."""
@@ -354,6 +374,15 @@ class Scene:
         scene = cls.__new__(cls)
         scene._description = description
         return scene
+
+    def __reduce__(self):
+        return _scene_from, (self._description.solid, _core._description_state(self._description))
+
+    def __copy__(self):
+        return self  # nothing changes it
+
+    def __deepcopy__(self, _):
+        return self
 
     @property
     def solid(self):
@@ -425,8 +454,32 @@ def _to_text(self):
     return _core._text_of(self)
 
 
-def _solid_from(text):
-    return _core._read(text, "never").solid
+def _solid_from(*state):
+    return _core._solid_of(state)
+
+
+def _scene_from(solid, state):
+    return Scene._of(_core._description_of(state, solid))
+
+
+def _model_from(solid, weld, state):
+    return Model(solid, weld, _core._description_of(state, solid))
+
+
+def _rows(numbers):
+    """Rows of three; one for all as one row. What has no such shape is refused later."""
+    rows = _np.asarray(numbers, dtype=float)
+    return rows.reshape(1, 3) if rows.shape == (3,) else rows.reshape(-1, 3) if rows.size == 0 else rows
+
+
+def _region_of(width, height, tile, region):
+    """(x0, y0, x1, y1) of what is asked for of a picture; None for all of it."""
+    if tile is not None and region is not None:
+        raise ValueError("give tile or region, not both")
+    if tile is None:
+        return None if region is None else tuple(region)
+    index, count = tile
+    return _core._band(width, height, index, count)
 
 
 def save(solid, path):
@@ -437,4 +490,4 @@ def save(solid, path):
 
 Solid.compile = _compile
 Solid.to_text = _to_text
-Solid.__reduce__ = lambda self: (_solid_from, (_core._text_of(self),))
+Solid.__reduce__ = lambda self: (_solid_from, _core._solid_state(self))

@@ -110,21 +110,43 @@ void insert_below(Node& node, Node inner) {
   node.children.push_back(std::move(inner));
 }
 
+/// Gives statements the places of the nodes that they are made of, in one file: the first there is.
+class Places {
+ public:
+  void mark(Node& node, const Place& place) {
+    if (place.line == 0) return;
+    if (!is_known_) file_ = place.file;
+    is_known_ = true;
+    if (!(place.file == file_)) return;
+    node.line = place.line;
+    node.column = place.column;
+  }
+
+  const FileName& file() const { return file_; }
+
+ private:
+  FileName file_;
+  bool is_known_ = false;
+};
+
 }  // namespace
 
 Document document_of(const Solid& solid) {
   std::size_t statements = 0;
+  Places places;
   TreeWalk<const Solid, Node> walk;
   Node whole = walk.run(
       {&solid, 1}, Node{},
-      [&statements](const Solid& part, Node& above) -> std::optional<Node> {
+      [&](const Solid& part, Node& above) -> std::optional<Node> {
         if (++statements > most_statements || part.leaf_count() > most_statements) fail_as_too_long(part);
         if (part.kind() == Kind::leaf) {
           above.children.push_back(statement_of_leaf(part));
+          places.mark(above.children.back(), part.place());
           return std::nullopt;
         }
         Node node = head_of(part);
         node.has_block = true;
+        places.mark(node, part.place());
         return node;
       },
       [](const Solid& part) { return part.children(); },
@@ -134,6 +156,7 @@ Document document_of(const Solid& solid) {
         above.children.push_back(std::move(node));
       });
   Document document;
+  document.file = places.file();
   document.nodes.swap(whole.children);
   return document;
 }

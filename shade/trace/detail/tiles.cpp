@@ -96,7 +96,16 @@ void TileRenderer::render(const Tile& tile, Film& film) {
 }
 
 Ray TileRenderer::sample_ray(int column, int row, int k) const {
-  return job_.camera.ray((column + 0.5) / k, (row + 0.5) / k);
+  return job_.camera.ray((column + k * job_.origin.x + 0.5) / k, (row + k * job_.origin.y + 0.5) / k);
+}
+
+// Appends the samples of a rectangle of them; place(column, row) says where what they see belongs.
+template <class Place>
+void TileRenderer::add_samples(const Tile& rectangle, int k, Place&& place) {
+  const int x = k * job_.origin.x;
+  const int y = k * job_.origin.y;
+  append({rectangle.x0 + x, rectangle.y0 + y, rectangle.x1 + x, rectangle.y1 + y}, k, samples_,
+         [&](int column, int row) { return place(column - x, row - y); });
 }
 
 void TileRenderer::shade(const Tile& tile, int k, Film& film) {
@@ -118,8 +127,9 @@ void TileRenderer::shade_in_packets(const Tile& tile, int k, Film& film) {
     const Tile strip{tile.x0, y0, tile.x1, std::min(y0 + height, tile.y1)};
     const int columns = k * (strip.x1 - strip.x0);
     const int rows = k * (strip.y1 - strip.y0);
-    const Outline::Columns seen = outline_.columns(strip.y0, strip.y1);
-    const auto column = [&](double x) { return static_cast<int>(std::clamp<double>(k * (x - strip.x0), 0, columns)); };
+    const Outline::Columns seen = outline_.columns(strip.y0 + job_.origin.y, strip.y1 + job_.origin.y);
+    const int film_x = strip.x0 + job_.origin.x;
+    const auto column = [&](double x) { return static_cast<int>(std::clamp<double>(k * (x - film_x), 0, columns)); };
     // Beyond the outline there is the background: of one colour, unless it is a picture.
     const bool is_even = job_.view.environment == nullptr;
     const int first = is_even ? column(std::floor(seen.first)) : 0;
@@ -134,8 +144,8 @@ void TileRenderer::shade_in_packets(const Tile& tile, int k, Film& film) {
     const int left = k * strip.x0;
     const int top = k * strip.y0;
     samples_.clear();
-    append({left + first, top, left + last, top + rows}, k, samples_,
-           [&](int x, int y) { return (y - top) * columns + (x - left); });
+    add_samples({left + first, top, left + last, top + rows}, k,
+                [&](int x, int y) { return (y - top) * columns + (x - left); });
     colors_.resize(static_cast<std::size_t>(columns * rows));
     if (last - first < columns) std::fill(colors_.begin(), colors_.end(), job_.view.background);
     packets_->trace(samples_, colors_);
@@ -207,11 +217,56 @@ void TileRenderer::place_all_samples(std::span<const Pixel> pixels) {
       ++last;
     const int left = k * pixels[first].x;
     const Tile rectangle{left, k * y, left + k * static_cast<int>(last - first), k * y + k};
-    append(rectangle, k, samples_, [&](int column, int row) {
+    add_samples(rectangle, k, [&](int column, int row) {
       const int pixel = static_cast<int>(first) + (column - left) / k;
       return (pixel * k + row - k * y) * k + (column - left) % k;
     });
   }
+}
+
+void TileRenderer::look_along_sides(std::span<const PixelSide> sides, std::vector<bool>& varies_along) {
+  const int k = job_.grid;
+  const auto samples = static_cast<std::size_t>(k);
+  const std::size_t at_once = std::max<std::size_t>(samples_at_once / samples, 1);
+  varies_along.clear();
+  for (std::size_t first = 0; first < sides.size(); first += at_once) {
+    const std::span<const PixelSide> some = sides.subspan(first, std::min(at_once, sides.size() - first));
+    colors_.resize(some.size() * samples);
+    samples_.clear();
+    Rgb* color = colors_.data();
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      const auto [pixel, neighbour] = some[i];
+      const int left = k * pixel.x + (neighbour.x > pixel.x ? k - 1 : 0);
+      const int top = k * pixel.y + (neighbour.y > pixel.y ? k - 1 : 0);
+      const bool is_row = neighbour.y != pixel.y;
+      const Tile line{left, top, is_row ? left + k : left + 1, is_row ? top + 1 : top + k};
+      const int start = static_cast<int>(i) * k;
+      if (packets_) {
+        add_samples(line, k, [&](int column, int row) { return start + (column - left) + (row - top); });
+      } else {
+        each_pixel(line, [&](int column, int row) { *color++ = tracer_.trace(sample_ray(column, row, k)); });
+      }
+    }
+    if (packets_) packets_->trace(samples_, colors_);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      varies_along.push_back(varies(colors_.data() + i * samples, samples, 1));
+  }
+}
+
+bool TileRenderer::contrasts(Pixel pixel) {
+  // Where the picture ends, its border goes on.
+  const auto within = [](int place, int origin, int size) { return std::clamp(place + origin, 0, size - 1) - origin; };
+  Film centers(3, 3, FilmContent::color);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 3; ++x) {
+      const int column = within(pixel.x + x - 1, job_.origin.x, job_.width);
+      const int row = within(pixel.y + y - 1, job_.origin.y, job_.height);
+      centers.set(x, y, tracer_.trace(sample_ray(column, row, 1)));
+    }
+  }
+  Refinement alone(3, 3);
+  alone.choose_contrasts(centers, {1, 1, 2, 2});
+  return alone.is_chosen({1, 1});
 }
 
 void TileRenderer::measure(const Tile& tile, Film& film) {
@@ -228,7 +283,7 @@ void TileRenderer::measure(const Tile& tile, Film& film) {
     };
     if (sight_packets_) {
       samples_.clear();
-      append(rectangle, k, samples_, place);
+      add_samples(rectangle, k, place);
       sight_packets_->measure(samples_, lengths_);
     } else {
       each_pixel(rectangle, [&](int column, int row) {
@@ -252,8 +307,8 @@ void TileRenderer::see(const Tile& rectangle, int k) {
   sights_.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   if (sight_packets_) {
     samples_.clear();
-    append(rectangle, k, samples_,
-           [&](int column, int row) { return (row - rectangle.y0) * columns + (column - rectangle.x0); });
+    add_samples(rectangle, k,
+                [&](int column, int row) { return (row - rectangle.y0) * columns + (column - rectangle.x0); });
     sight_packets_->look(samples_, sights_);
     return;
   }

@@ -27,14 +27,22 @@ struct Job {
   const View& view;
   const Camera& camera;
   Mode mode;
-  int grid;  ///< k of k x k samples a pixel
+  int width, height;  ///< of the whole picture
+  Pixel origin;       ///< the pixel of the picture where the film begins
+  int grid;           ///< k of k x k samples a pixel
   Sampling sampling;
   const Cells* cells;             ///< null: rays go one by one
   const LayerCells* layer_cells;  ///< of scenes that transmit; null: without cells
   std::string_view instructions;
 };
 
-/// The working memory of one thread.
+/// A row or column of the samples of a pixel, along the pixel next to it.
+struct PixelSide {
+  Pixel pixel;      ///< maybe beyond the film
+  Pixel neighbour;  ///< left, right, above or below
+};
+
+/// The working memory of one thread. Tiles, and pixels without another word, are those of the film.
 class TileRenderer {
  public:
   explicit TileRenderer(const Job& job);
@@ -49,6 +57,12 @@ class TileRenderer {
   /// into; these get theirs, too, if they are in the tile. Whether there were any.
   bool refine(const Tile& tile, Refinement& refinement, Film& film);
 
+  /// Whether something varies along each of these sides: reaches into the neighbours of pixels that get all samples.
+  void look_along_sides(std::span<const PixelSide> sides, std::vector<bool>& varies);
+
+  /// What the pixel and the 8 around it see by one sample each; it chooses itself by that, or not.
+  bool contrasts(Pixel pixel);
+
   RenderReport report() const;
 
  private:
@@ -60,6 +74,8 @@ class TileRenderer {
   void draw_edges(const Tile& tile, Film& film);
   void measure(const Tile& tile, Film& film);
   void show_sights(const Tile& tile, Film& film);
+  template <class Place>
+  void add_samples(const Tile& rectangle, int k, Place&& place);
   Ray sample_ray(int column, int row, int k) const;  ///< columns and rows of samples: k times those of pixels
   Rgb edge_pixel(std::size_t first, std::size_t stride);
   bool on_edge(const Sight& here, const Sight& other) const;
