@@ -10,12 +10,13 @@
 #include "csg/base/error.h"
 #include "csg/base/place.h"
 #include "csg/solid/rules/rules.h"
+#include "model/ray_thickness.h"
 #include "raycast/packets/threads.h"
 
 namespace csgcast {
 namespace {
 
-constexpr std::size_t most_samples = 16384;  // of thinnest(), along each axis
+constexpr std::size_t largest_grid = 16384;  // of thinnest(), along each axis
 
 }  // namespace
 
@@ -89,6 +90,10 @@ std::vector<Location> Model::locate(std::span<const double> points, const QueryO
   return state_->queries.locate(points, options);
 }
 
+std::vector<double> Model::thickness(const Rays& rays, const QueryOptions& options) const {
+  return ray_thickness(cells(), rays, options);
+}
+
 SceneMeasures Model::measure(const MeasureOptions& options) const { return csgcast::measure(scene(), options); }
 
 Section Model::section(const Plane& plane, const SectionOptions& options) const {
@@ -97,12 +102,12 @@ Section Model::section(const Plane& plane, const SectionOptions& options) const 
 
 CheckReport Model::check(const CheckOptions& options) const { return csgcast::check(scene(), options); }
 
-std::optional<ThinPlace> Model::thinnest(std::size_t samples, const ProgressCallback& progress) const {
-  if (samples == 0 || samples > most_samples) {
-    throw Error(ErrorCode::usage, {}, fmt::format("{} samples along each axis", samples),
-                fmt::format("1 to {} are possible", most_samples), "give a number in that range");
+std::optional<ThinPlace> Model::thinnest(std::size_t grid, const ProgressCallback& progress) const {
+  if (grid == 0 || grid > largest_grid) {
+    throw Error(ErrorCode::usage, {}, fmt::format("{} grid along each axis", grid),
+                fmt::format("1 to {} are possible", largest_grid), "give a number in that range");
   }
-  return find_thinnest(cells(), samples, progress);
+  return find_thinnest(cells(), grid, progress);
 }
 
 View Model::view(double aspect, const ViewChange& change) const {
@@ -111,6 +116,7 @@ View Model::view(double aspect, const ViewChange& change) const {
   if (change.background) {
     require(broken_rule("color", *change.background), "background");
     seen.background = change.background;
+    seen.background_image.reset();
   }
   if (change.settings) {
     require(broken_rule(*change.settings), "settings");

@@ -73,14 +73,16 @@ class Model {
   HitTable first_hits(const Rays& rays, const QueryOptions& options = {}) const;
   std::vector<std::uint8_t> any_hits(const Rays& rays, const QueryOptions& options = {}) const;
   std::vector<Location> locate(std::span<const double> points, const QueryOptions& options = {}) const;
+  /// ray_thickness() (model/ray_thickness.h).
+  std::vector<double> thickness(const Rays& rays, const QueryOptions& options = {}) const;
 
   /// The functions of the same names in measure/, of the whole solid. section_svg(), section_json() and
   /// section_polylines() make other things of a section; section_image() (model/section_image.h) makes a picture.
   SceneMeasures measure(const MeasureOptions& options = {}) const;
   Section section(const Plane& plane, const SectionOptions& options = {}) const;
   CheckReport check(const CheckOptions& options = {}) const;
-  /// find_thinnest(). Throws Error(usage) unless `samples` is 1 to 16384.
-  std::optional<ThinPlace> thinnest(std::size_t samples = 512, const ProgressCallback& progress = {}) const;
+  /// find_thinnest(). Throws Error(usage) unless `grid` is 1 to 16384.
+  std::optional<ThinPlace> thinnest(std::size_t grid = 512, const ProgressCallback& progress = {}) const;
 
   /// The description's camera, lights, background and settings, changed so, or the defaults of what both leave open,
   /// for pictures of `aspect` = width / height. Throws Error(bad_value) for what a scene text refuses of lights,

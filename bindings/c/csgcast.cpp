@@ -394,6 +394,15 @@ csgcast_status csgcast_any_hits(const csgcast_model* model, size_t rays, const d
   });
 }
 
+csgcast_status csgcast_thickness(const csgcast_model* model, size_t rays, const double* origins,
+                                 const double* directions, const csgcast_monitor* monitor, double* result) {
+  return guarded([&] {
+    require(model != nullptr && (rays == 0 || result != nullptr), "the model or the place for the result is NULL");
+    const auto found = model->model.thickness(rays_of(rays, origins, directions), between(0, HUGE_VAL, monitor));
+    std::copy(found.begin(), found.end(), result);
+  });
+}
+
 csgcast_status csgcast_locate(const csgcast_model* model, size_t points, const double* coordinates,
                               const csgcast_monitor* monitor, int8_t* result) {
   return guarded([&] {
@@ -530,13 +539,13 @@ csgcast_status csgcast_write_section(const csgcast_model* model, const csgcast_s
   });
 }
 
-csgcast_status csgcast_thinnest(const csgcast_model* model, size_t samples, const csgcast_monitor* monitor,
+csgcast_status csgcast_thinnest(const csgcast_model* model, size_t grid, const csgcast_monitor* monitor,
                                 csgcast_thin_place* result) {
   return guarded([&] {
     require(model != nullptr && result != nullptr, "the model or the place for the result is NULL");
     *result = {};
     result->leaf = CSGCAST_NONE;
-    const std::optional<ThinPlace> found = model->model.thinnest(samples, callback_of(monitor));
+    const std::optional<ThinPlace> found = model->model.thinnest(grid, callback_of(monitor));
     if (!found) return;
     result->is_found = 1;
     result->thickness = found->thickness;

@@ -135,6 +135,11 @@ csgcast_status csgcast_any_hits(const csgcast_model* model, size_t rays, const d
                                 const double* directions, double t_min, double t_max, const csgcast_monitor* monitor,
                                 uint8_t* result);
 
+/* How thick the solid is at the first face that each ray enters by, from t = 0 on: the way from there straight in,
+ * against the normal, to the boundary again. 0 where a ray enters by none, INFINITY where nothing ends the solid. */
+csgcast_status csgcast_thickness(const csgcast_model* model, size_t rays, const double* origins,
+                                 const double* directions, const csgcast_monitor* monitor, double* result);
+
 /* 1 inside, 0 on the boundary, -1 outside: never falsely inside or outside. */
 csgcast_status csgcast_locate(const csgcast_model* model, size_t points, const double* coordinates,
                               const csgcast_monitor* monitor, int8_t* result);
@@ -217,8 +222,8 @@ typedef struct csgcast_thin_place {
   double normal[3]; /* unit, out of the solid */
   uint32_t leaf;    /* whose face it is */
 } csgcast_thin_place;
-/* The thinnest wall that samples x samples rays along each axis meet, 1 to 16384. No bound. */
-csgcast_status csgcast_thinnest(const csgcast_model* model, size_t samples, const csgcast_monitor* monitor,
+/* The thinnest wall that grid x grid rays along each axis meet, 1 to 16384. No bound. */
+csgcast_status csgcast_thinnest(const csgcast_model* model, size_t grid, const csgcast_monitor* monitor,
                                 csgcast_thin_place* result);
 
 /* Two parts that share space: proved. `place` is in both. */

@@ -33,6 +33,11 @@ FOOTNOTES = {
     "languages": "A command line has its exit code and its messages.",
     "verify": "It is for who works on csgcast; `verify/verification.h` has it.",
     "map": "The command makes a picture of it; rays, and `measure/thickness.h`, give the numbers.",
+    "map_only": "The command draws a map of it, with the rays of a camera.",
+    "options": "`RenderOptions::region` asks for it.",
+    "channels": "Python and C make each channel as a picture of its own (`mode`).",
+    "distributed": "`csgcast.distributed`: [distributed.md](distributed.md).",
+    "python": "Python does that: [distributed.md](distributed.md).",
     "shell": "That is a matter of the shell.",
 }
 
@@ -78,6 +83,7 @@ ROWS = [
      ["intervals"]),
     ("whether rays meet the inside", ["Model::any_hits"], ["Model.any_hits"], ["csgcast_any_hits"], ["intervals"]),
     ("whether points are inside", ["Model::locate"], ["Model.locate"], ["csgcast_locate"], ["locate"]),
+    ("how thick the solid is where rays enter", ["Model::thickness"], ["Model.thickness"], ["csgcast_thickness"], "!map_only"),
     ("Measures", None),
     ("volume, area, mass, centroid, inertia, bounds", ["Model::measure"], ["Model.measure", "Measures"],
      ["csgcast_measure", "csgcast_measure_parts"], ["measure"]),
@@ -93,6 +99,8 @@ ROWS = [
     ("Pictures", None),
     ("a picture in memory", ["Model::render"], ["Model.render"], ["csgcast_render", "csgcast_channels"], "!program"),
     ("a picture as a file", ["write_image"], ["Model.render"], ["csgcast_render_file"], ["render"]),
+    ("a part of a picture", "!options", ["tile=", "region="], "!python", ["--tiles", "join"]),
+    ("many channels in one picture; transparency", ["layer_bytes", "holds_layers"], "!channels", "!channels", ["--channels", "--alpha", "--bits"]),
     ("camera, lights, background, settings", ["Model::view"], ["Camera", "Light", "Settings"],
      ["csgcast_render_options"], ["--camera"]),
     ("Calls", None),
@@ -101,6 +109,8 @@ ROWS = [
     ("progress, and the end of a call", ["ProgressCallback", "Cancelled"], ["progress=", "Cancelled"], ["csgcast_monitor"],
      "!shell"),
     ("the version", "!packages", ["__version__"], ["csgcast_version"], ["--version"]),
+    ("help", "!packages", "!packages", "!packages", ["help"]),
+    ("many machines", "!python", "!distributed", "!python", ["--rows", "--tiles", "join"]),
     ("compare the answers with exact arithmetic", "!verify", "!verify", "!verify", ["verify"]),
 ]
 COLUMNS = ["C++", "Python", "C", "command line"]

@@ -501,3 +501,14 @@ TEST_CASE("C: a thread says on how many its calls work, and gets the same") {
   CHECK(csgcast_use_threads(-1) == CSGCAST_BAD_INPUT);
   CHECK(csgcast_use_threads(0) == CSGCAST_OK);
 }
+
+TEST_CASE("C: the thickness where rays enter") {
+  const ModelOwner owner("cube([2, 3, 4]);");
+  const double origins[6] = {-1, 1, 1, 9, 9, 9};
+  const double directions[6] = {1, 0, 0, 1, 0, 0};
+  double result[2] = {-1, -1};
+  REQUIRE(csgcast_thickness(owner.model, 2, origins, directions, nullptr, result) == CSGCAST_OK);
+  CHECK(result[0] == 2);
+  CHECK(result[1] == 0);
+  CHECK(csgcast_thickness(nullptr, 2, origins, directions, nullptr, result) == CSGCAST_BAD_INPUT);
+}

@@ -165,3 +165,13 @@ TEST_CASE("A section is written as a drawing, as numbers or as a picture, by its
     CHECK_THROWS_AS(write_section(half.scene(), {{1, 0, 0}, 0}, unbounded, folder / name), Error);
   std::filesystem::remove_all(folder);
 }
+TEST_CASE("the thickness where rays enter is that of walls, and nothing where they miss") {
+  const Model model(box({2, 3, 4}) - transformed(box({1, 3, 4}), translation({0.5, 0, 0})));
+  const std::vector<double> origins{-1, 1, 1, -1, 1, 1, 0.25, 1, -9, 9, 9, 9};
+  const std::vector<double> directions{1, 0, 0, 1, 0, 0.01, 0, 0, 1, 1, 0, 0};
+  const std::vector<double> found = model.thickness({origins, directions});
+  CHECK(found == std::vector<double>{0.5, 0.5, 4, 0});
+  const std::vector<double> zero{0, 0, 0};
+  CHECK_THROWS_AS(model.thickness({zero, zero}), Error);
+  CHECK_THROWS_AS(model.thickness({origins, zero}), Error);
+}

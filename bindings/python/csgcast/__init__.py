@@ -312,10 +312,10 @@ class Model:
         _set(cut, _source=(self._model, normal, distance))
         return cut
 
-    def thinnest(self, samples=512, *, threads=0, progress=None):
-        """The thinnest wall that samples x samples rays along each axis meet, straight in from the boundary to the boundary again:
+    def thinnest(self, grid=512, *, threads=0, progress=None):
+        """The thinnest wall that grid x grid rays along each axis meet, straight in from the boundary to the boundary again:
         (thickness, place (3,), normal (3,), leaf); None if the solid is empty or may be unbounded. No bound."""
-        return _core._thinnest(self._model, samples, progress, threads)
+        return _core._thinnest(self._model, grid, progress, threads)
 
     def check(self, *, threads=0, progress=None):
         """Looks for parts that overlap, empty and unbounded parts, and what is without effect: Check."""
