@@ -33,6 +33,7 @@ namespace {
 using namespace csgcast;
 
 thread_local std::string last_error;
+thread_local std::string last_leaf_name;
 thread_local int threads_of_calls = 0;
 
 /// No exception leaves a C function.
@@ -225,8 +226,8 @@ struct ReportMemory {
 };
 
 std::vector<std::uint32_t> numbers_of(const std::vector<PartId>& parts) {
-  std::vector<std::uint32_t> numbers;
-  for (const PartId part : parts) numbers.push_back(part.index());
+  std::vector<std::uint32_t> numbers(parts.size());
+  std::transform(parts.begin(), parts.end(), numbers.begin(), [](PartId part) { return part.index(); });
   return numbers;
 }
 
@@ -446,10 +447,11 @@ csgcast_status csgcast_bounds(const csgcast_model* model, double lower[3], doubl
 }
 
 const char* csgcast_leaf_name(const csgcast_model* model, uint32_t leaf) {
-  thread_local std::string name;
   if (model == nullptr || leaf >= model->model.scene().leaves().size()) return nullptr;
+  std::string name;
   if (guarded([&] { name = model->model.leaf_name(LeafId(leaf)); }) != CSGCAST_OK) return nullptr;
-  return name.c_str();
+  last_leaf_name = std::move(name);
+  return last_leaf_name.c_str();
 }
 
 csgcast_status csgcast_use_threads(int threads) {
