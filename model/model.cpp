@@ -104,8 +104,8 @@ CheckReport Model::check(const CheckOptions& options) const { return csgcast::ch
 
 std::optional<ThinPlace> Model::thinnest(std::size_t grid, const ProgressCallback& progress) const {
   if (grid == 0 || grid > largest_grid) {
-    throw Error(ErrorCode::usage, {}, fmt::format("{} grid along each axis", grid),
-                fmt::format("1 to {} are possible", largest_grid), "give a number in that range");
+    throw Error(ErrorCode::usage, {}, fmt::format("a grid of {} x {} rays", grid, grid),
+                fmt::format("1 to {} along an axis are possible", largest_grid), "give a number in that range");
   }
   return find_thinnest(cells(), grid, progress);
 }

@@ -190,4 +190,66 @@ TEST_CASE("what is wrong with the output is found before the scene is read") {
   CHECK(folder.names() == std::vector<std::string>{"scene.csg"});
 }
 
+TEST_CASE("a background image is found from the scene's folder, and one that cannot be read is an error at its place") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("scenes"));
+  folder.write("sky.csg", "background(color = [0.25, 0.5, 0.75]);\nhalfspace(n = [0, 0, 1], d = -1e9);\n");
+  REQUIRE(run(folder, {"render", "sky.csg", "-o", "scenes/sky.exr", "--size", "8x4", "--camera", "0,0,0,1,0,0"})
+              .exit_code == 0);
+  folder.write("scenes/a.csg", "background(image = \"sky.exr\");\ncube(1);\n");
+  folder.write("b.csg", "background(color = [0.25, 0.5, 0.75]);\ncube(1);\n");
+  const std::vector<std::string> more{"--size", "24x16", "-o", "out.png"};
+  const auto picture = [&](const std::string& scene) {
+    std::vector<std::string> arguments{"render", scene};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(folder, arguments);
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 0);
+    return folder.read("out.png");
+  };
+  CHECK((picture("scenes/a.csg") == picture("b.csg")));
+  CHECK(run(folder, {"info", "scenes/a.csg"}).out.find("background  image scenes/sky.exr") != std::string::npos);
+  folder.write("scenes/c.csg", "cube(1);\n  background(image = \"no.exr\");\n");
+  const Outcome outcome = run(folder, {"render", "scenes/c.csg", "-o", "c.png"});
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.err.find("scenes/c.csg:2:3: error: the background image 'scenes/no.exr' cannot be read (") == 0);
+  folder.write("d.csg", "background(color = \"red\", image = \"no.exr\");\ncube(1);\n");
+  CHECK(run(folder, {"info", "d.csg"}).exit_code == 2);
+}
+
+TEST_CASE("channels, transparency and bits are for the pictures that hold them") {
+  const SceneFolder folder;
+  const auto refused = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"render", "scene.csg", "--size", "8x8"});
+    const Outcome outcome = run(folder, more);
+    CHECK(outcome.exit_code == 2);
+    return outcome.err;
+  };
+  CHECK(refused({"-o", "a.png", "--channels", "depth"}).find("--channels needs -o with an .exr") != std::string::npos);
+  CHECK(refused({"-o", "a.exr", "--channels", "depth,deep"}).find("'deep' is unknown") != std::string::npos);
+  CHECK(refused({"-o", "a.exr", "--channels", "depth,depth"}).find("more than once") != std::string::npos);
+  CHECK(refused({"-o", "a.exr", "--channels", "alpha"}).find("alpha needs color") != std::string::npos);
+  CHECK(refused({"-o", "a.exr", "--channels", "depth", "--samples", "4"}).find("have no effect") != std::string::npos);
+  CHECK(refused({"-o", "a.jpg", "--bits", "16"}).find(".jpg files hold 8") != std::string::npos);
+  CHECK(refused({"-o", "a.png", "--alpha", "--mode", "id"}).find("alpha needs --mode shaded") != std::string::npos);
+  CHECK(refused({"-o", "a.jpg", "--alpha"}).find("no transparency") != std::string::npos);
+  CHECK(folder.names() == std::vector<std::string>{"scene.csg"});
+}
+
+TEST_CASE("only pictures of other kinds than plain .png need the module for pictures") {
+  const SceneFolder folder;
+  RunOptions bare;
+  bare.program = "/usr/bin/env";
+  const auto without_module = [&](const std::string& picture) {
+    return run(folder,
+               {"CSGCAST_MODULES=/nowhere", CSGCAST_PROGRAM, "render", "scene.csg", "--size", "8x8", "-o", picture},
+               bare);
+  };
+  CHECK(without_module("a.png").exit_code == 0);
+  const Outcome outcome = without_module("a.exr");
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.err.find("a.exr: error: this kind of picture needs a module that cannot be loaded (") == 0);
+  CHECK(outcome.err.find("write a .png, or install csgcast with OpenImageIO") != std::string::npos);
+}
+
 }  // namespace
