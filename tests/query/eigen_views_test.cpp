@@ -20,8 +20,8 @@ struct Down {
 };
 
 /// A ball of radius 1 over a plate.
-Model ball_over_plate() {
-  return Model(sphere(1) + transformed(box({2, 2, 1}, Centering::centered), translation({0, 0, -3})));
+RayQueries ball_over_plate() {
+  return RayQueries(sphere(1) + transformed(box({2, 2, 1}, Centering::centered), translation({0, 0, -3})));
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ TEST_CASE("Rays from matrices are those from spans, without a copy") {
 }
 
 TEST_CASE("A table of intervals is seen as matrices of two columns") {
-  const Model model = ball_over_plate();
+  const RayQueries model = ball_over_plate();
   const Down down;
   QueryOptions options;
   options.faces = options.normals = true;
@@ -72,7 +72,7 @@ TEST_CASE("A table of intervals is seen as matrices of two columns") {
 }
 
 TEST_CASE("Views of tables without faces, normals or rays have no rows") {
-  const Model model = ball_over_plate();
+  const RayQueries model = ball_over_plate();
   const Down down;
   const IntervalTable plain = model.intervals(rays_of(down.origins, down.directions));
   const IntervalViews views(plain);
@@ -85,7 +85,7 @@ TEST_CASE("Views of tables without faces, normals or rays have no rows") {
 }
 
 TEST_CASE("First hits are seen as vectors, and lie on the solid") {
-  const Model model = ball_over_plate();
+  const RayQueries model = ball_over_plate();
   const Down down;
   const HitTable table = model.first_hits(rays_of(down.origins, down.directions));
   const HitViews hits(table);

@@ -50,7 +50,10 @@ Node* find_root(std::vector<Node>& nodes) {
 struct Below {
   bool top = true;                      ///< nothing is above: camera, light, background and settings may stand here
   const Node* forbids_parts = nullptr;  ///< the innermost statement above that a part must not stand in
+  SpecialVariables specials{};
 };
+
+bool is_special_variable(const Node& node) { return node.name.starts_with('$'); }
 
 /// Walks the statements in file order; arguments are read when a statement is entered, solids combined when it is left.
 class Builder {
@@ -67,17 +70,19 @@ class Builder {
     std::vector<Solid> solids{};
   };
 
-  Solid build_solid(std::span<Node> nodes);
+  Solid build_solid(std::span<Node> nodes, const SpecialVariables& specials);
   std::optional<Operator> enter(Node& node, Operator& above);
   void leave(Node& node, Operator done, Operator& above);
   void apply(const Node& node, const Statement& statement, const SceneStatement& meaning);
-  Solid make_solid(const Node& node, const Statement& statement, const SolidStatement& meaning);
+  Solid make_solid(const Node& node, const Statement& statement, const SolidStatement& meaning,
+                   const SpecialVariables& specials);
   Operator open(const Node& node, const Statement& statement, const OperatorStatement& meaning, Below below);
 
   const Statement& statement_of(const Node& node) const;
-  Call call(const Node& node, const Statement& statement) {
-    return {node, document_.file, statement.parameters, options_, scene_.warnings};
+  Call call(const Node& node, const Statement& statement, const SpecialVariables& specials = {}) {
+    return {node, document_.file, statement.parameters, options_, specials, scene_.warnings};
   }
+  void set_specials(std::span<const Node> nodes, SpecialVariables& specials);
   Place place(const Node& node) const { return {document_.file, node.line, node.column}; }
   void reject_children(const Node& node) const;
   void require_top(const Node& node, const Below& below) const;
@@ -92,9 +97,11 @@ class Builder {
 };
 
 SceneDescription Builder::build() {
+  SpecialVariables specials;
+  set_specials(document_.nodes, specials);
   Node* root = find_root(document_.nodes);
   if (root == nullptr) {
-    scene_.solid = build_solid(document_.nodes);
+    scene_.solid = build_solid(document_.nodes, specials);
     return std::move(scene_);
   }
   for (const Node& node : document_.nodes) {
@@ -102,27 +109,47 @@ SceneDescription Builder::build() {
     const Statement& statement = statement_of(node);
     apply(node, statement, std::get<SceneStatement>(statement.meaning));
   }
-  scene_.solid = build_solid({root, 1});
+  scene_.solid = build_solid({root, 1}, specials);
   return std::move(scene_);
 }
 
-Solid Builder::build_solid(std::span<Node> nodes) {
+/// As in OpenSCAD a variable holds in all of its block, also before it stands, and the last one of a name counts.
+void Builder::set_specials(std::span<const Node> nodes, SpecialVariables& specials) {
+  static const Parameters value{{"value"}, {}};
+  for (const Node& node : nodes) {
+    if (!is_special_variable(node) || is_skipped(node)) continue;
+    const Call variable(node, document_.file, value, options_, {}, scene_.warnings);
+    if (node.name == "$fn") {
+      specials.fn = variable.number("value");
+    } else if (node.name == "$fa") {
+      specials.fa = variable.number("value");
+    } else if (node.name == "$fs") {
+      specials.fs = variable.number("value");
+    } else {
+      variable.warn(fmt::format("'{}' has no effect here: only $fn, $fa and $fs do", shortened(node.name)));
+    }
+  }
+}
+
+Solid Builder::build_solid(std::span<Node> nodes, const SpecialVariables& specials) {
   TreeWalk<Node, Operator> walk;
+  Operator top;
+  top.below.specials = specials;
   Operator whole = walk.run(
-      nodes, Operator{}, [this](Node& node, Operator& above) { return enter(node, above); },
+      nodes, std::move(top), [this](Node& node, Operator& above) { return enter(node, above); },
       [](Node& node) { return std::span(node.children); },
       [this](Node& node, Operator done, Operator& above) { leave(node, std::move(done), above); });
   return whole.combine(std::move(whole.solids));
 }
 
 std::optional<Builder::Operator> Builder::enter(Node& node, Operator& above) {
-  if (is_skipped(node)) return std::nullopt;
+  if (is_skipped(node) || is_special_variable(node)) return std::nullopt;
   const Statement& statement = statement_of(node);
   if (const auto* meaning = std::get_if<OperatorStatement>(&statement.meaning)) {
     return open(node, statement, *meaning, above.below);
   }
   if (const auto* solid = std::get_if<SolidStatement>(&statement.meaning)) {
-    above.solids.push_back(make_solid(node, statement, *solid));
+    above.solids.push_back(make_solid(node, statement, *solid, above.below.specials));
     node.give_up();
   } else {
     require_top(node, above.below);
@@ -155,8 +182,9 @@ const Statement& Builder::statement_of(const Node& node) const {
   return *statement;
 }
 
-Solid Builder::make_solid(const Node& node, const Statement& statement, const SolidStatement& meaning) {
-  Solid solid = meaning.make(call(node, statement));
+Solid Builder::make_solid(const Node& node, const Statement& statement, const SolidStatement& meaning,
+                          const SpecialVariables& specials) {
+  Solid solid = meaning.make(call(node, statement, specials));
   reject_children(node);
   return std::move(solid).at(place(node));
 }
@@ -180,6 +208,13 @@ Builder::Operator Builder::open(const Node& node, const Statement& statement, co
   Combine combine = meaning.make(arguments);
   if (is_part) warn_of_repeated_part(arguments);
   below.top = false;
+  const auto set = [&](std::optional<double>& value, std::string_view name) {
+    if (const std::optional<double> own = arguments.number(name)) value = own;
+  };
+  set(below.specials.fn, "$fn");
+  set(below.specials.fa, "$fa");
+  set(below.specials.fs, "$fs");
+  set_specials(node.children, below.specials);
   if (meaning.parts == OperatorStatement::Parts::forbidden) below.forbids_parts = &node;
   return {std::move(combine), below};
 }

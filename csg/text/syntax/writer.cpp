@@ -76,6 +76,12 @@ void write_head(const Node& node, std::size_t depth, std::string& out) {
   write_modifiers(node.modifiers, out);
   indent(depth, out);
   out += node.name;
+  if (node.name.starts_with('$')) {  // a special variable
+    out += " = ";
+    std::visit(ValueWriter{out}, node.arguments.front().value.data);
+    out += ";\n";
+    return;
+  }
   out += '(';
   for (std::size_t i = 0; i < node.arguments.size(); ++i) {
     const Argument& argument = node.arguments[i];

@@ -66,8 +66,8 @@ bool counts_as_undef(const Value& value) {
 }
 
 Call::Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options,
-           std::vector<Warning>& warnings)
-    : node_(node), file_(file), options_(options), warnings_(warnings) {
+           const SpecialVariables& specials, std::vector<Warning>& warnings)
+    : node_(node), file_(file), options_(options), specials_(specials), warnings_(warnings) {
   std::size_t position = 0;
   for (const Argument& argument : node.arguments) bind(argument, parameters, position);
 }
@@ -134,6 +134,18 @@ std::optional<double> Call::number(std::string_view name) const {
 }
 
 double Call::number_or(std::string_view name, double otherwise) const { return number(name).value_or(otherwise); }
+
+Fineness Call::fineness() const {
+  Fineness fineness;
+  const auto set = [&](double& value, std::string_view name, const std::optional<double>& above) {
+    const std::optional<double> own = number(name);
+    if (own || above) value = own ? *own : *above;
+  };
+  set(fineness.fn, "$fn", specials_.fn);
+  set(fineness.fa, "$fa", specials_.fa);
+  set(fineness.fs, "$fs", specials_.fs);
+  return fineness;
+}
 
 double Call::required_number(std::string_view name) const {
   const auto result = number(name);

@@ -12,6 +12,7 @@
 #include "csg/solid/look.h"
 #include "csg/solid/rules/rules.h"
 #include "csg/text/statement/builder.h"
+#include "csg/text/statement/detail/facets.h"
 #include "csg/text/syntax/syntax.h"
 
 namespace csgcast::text {
@@ -20,6 +21,13 @@ namespace csgcast::text {
 struct Parameters {
   std::vector<std::string_view> positional;
   std::vector<std::string_view> named;
+};
+
+/// What statements say of `$fn`, `$fa` and `$fs` to all that is below them.
+struct SpecialVariables {
+  std::optional<double> fn{};
+  std::optional<double> fa{};
+  std::optional<double> fs{};
 };
 
 /// Whether OpenSCAD reads the value as undef: `undef`, `inf`, `nan`.
@@ -35,7 +43,7 @@ class Call {
   /// Throws Error(unknown_name) for a name that is none of the parameters, Error(bad_value) for one given twice and for
   /// too many positional ones.
   Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options,
-       std::vector<Warning>& warnings);
+       const SpecialVariables& specials, std::vector<Warning>& warnings);
 
   const std::string& name() const { return node_.name; }
   Place place() const { return {file_, node_.line, node_.column}; }
@@ -51,6 +59,9 @@ class Call {
   std::optional<double> number(std::string_view name) const;
   double number_or(std::string_view name, double otherwise) const;
   double required_number(std::string_view name) const;
+  /// `$fn`, `$fa` and `$fs` of this statement: its own argument, else what the statements around it say, else
+  /// OpenSCAD's default.
+  Fineness fineness() const;
   bool boolean_or(std::string_view name, bool otherwise) const;
   std::optional<std::string> string(std::string_view name) const;
   /// A list of exactly three numbers.
@@ -85,6 +96,7 @@ class Call {
   const Node& node_;
   const FileName& file_;
   const BuildOptions& options_;
+  SpecialVariables specials_;
   std::vector<Warning>& warnings_;
   std::vector<std::pair<std::string_view, const Argument*>> bound_;
 };

@@ -82,7 +82,11 @@ Solid make_convex(const Call& call) {
 
 Solid make_polyhedron(const Call& call) {
   const List* points = call.list("points");
+  // `triangles` is what OpenSCAD called faces before 2014.
+  const List* triangles = call.list("triangles");
   const List* faces = call.list("faces");
+  if (faces != nullptr) call.require(triangles == nullptr, "triangles", "not stand beside 'faces', its newer name");
+  if (faces == nullptr) faces = triangles;
   call.number("convexity");  // a hint for drawing: only its type matters
   Mesh given;
   if (points != nullptr) given.points = read_points(call, *points);

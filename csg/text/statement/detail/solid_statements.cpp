@@ -31,7 +31,7 @@ template <class PointCount>
 std::optional<int> polygon_sides(const Call& call, double radius, PointCount points) {
   constexpr double coarse = 16;  // an explicit $fn up to here means the polygon
   constexpr double most_points = 250'000;
-  const Fineness fineness{call.number_or("$fn", 0), call.number_or("$fa", 12), call.number_or("$fs", 2)};
+  const Fineness fineness = call.fineness();
   if (call.options().facets == Facets::never) return std::nullopt;
   const bool asks = fineness.fn > 0 && fineness.fn <= coarse;
   if (call.options().facets == Facets::automatic && !asks) return std::nullopt;

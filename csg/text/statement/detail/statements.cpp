@@ -29,14 +29,14 @@ void add_solids(std::vector<Statement>& table) {
   add("quadric", solid_parameters({"A", "b", "c"}), make_quadric);
   add("halfspace", solid_parameters({"n", "d"}), make_halfspace);
   add("convex", solid_parameters({}, {"points", "planes"}), make_convex);
-  add("polyhedron", solid_parameters({"points", "faces", "convexity"}), make_polyhedron);
+  add("polyhedron", solid_parameters({"points", "faces", "convexity"}, {"triangles"}), make_polyhedron);
 }
 
 void add_operators(std::vector<Statement>& table) {
   using enum OperatorStatement::Parts;
   const auto add = [&](std::string_view name, std::vector<std::string_view> positional, Combine (*make)(const Call&),
                        OperatorStatement::Parts parts = allowed) {
-    table.push_back({name, {std::move(positional), {}}, OperatorStatement{make, parts}});
+    table.push_back({name, {std::move(positional), {"$fn", "$fa", "$fs"}}, OperatorStatement{make, parts}});
   };
   add("union", {}, make_union);
   add("group", {}, make_union);

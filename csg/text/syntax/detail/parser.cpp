@@ -67,8 +67,14 @@ void Parser::too_much(const Token& token, const std::string& problem, const std:
   throw Error(ErrorCode::limit, place(token), problem, why, "split it");
 }
 
-/// A statement whose block is being read, and the brace that opened it.
+/// What is being read, and the brace that opened it.
 struct Parser::Open {
+  enum class Kind : std::uint8_t {
+    block,   ///< a statement with a block
+    child,   ///< a statement whose only child goes on without a block
+    braces,  ///< a block without a statement: its statements belong to what is around it
+  };
+  Kind kind;
   Node node;
   Token brace;
 };
@@ -77,22 +83,48 @@ std::vector<Node> Parser::statements() {
   std::vector<Node> top;
   std::vector<Open> open;
   const auto siblings = [&]() -> std::vector<Node>& { return open.empty() ? top : open.back().node.children; };
-  while (true) {
-    if (token_.kind == Token::Kind::end && open.empty()) return top;
-    if (token_.kind == Token::Kind::end) never_closed(open.back().brace);
-    if (!open.empty() && accept('}')) {
-      Node done = std::move(open.back().node);
+  // A statement is done, and so are those whose only child it is.
+  const auto done = [&](Node node) {
+    siblings().push_back(std::move(node));
+    while (!open.empty() && open.back().kind == Open::Kind::child) {
+      Node parent = std::move(open.back().node);
       open.pop_back();
-      siblings().push_back(std::move(done));
+      siblings().push_back(std::move(parent));
+    }
+  };
+  const auto close = [&] {
+    Open last = std::move(open.back());
+    open.pop_back();
+    if (last.kind == Open::Kind::block) return done(std::move(last.node));
+    for (Node& node : last.node.children) siblings().push_back(std::move(node));
+  };
+  while (true) {
+    const bool awaits_child = !open.empty() && open.back().kind == Open::Kind::child;
+    if (token_.kind == Token::Kind::end && open.empty()) return top;
+    if (token_.kind == Token::Kind::end && !awaits_child) never_closed(open.back().brace);
+    if (!awaits_child && accept(';')) continue;
+    if (!awaits_child && token_.is('{')) {
+      open.push_back({Open::Kind::braces, {}, token_});
+      step();
+      continue;
+    }
+    if (!open.empty() && !awaits_child && accept('}')) {
+      close();
       continue;
     }
     Node node = statement_head();
-    if (token_.is('{')) {
+    if (node.name.starts_with('$')) {
+      if (awaits_child) fail(token_, "a statement", "put the variable before it, with a ';'");
+      siblings().push_back(std::move(node));
+    } else if (token_.is('{')) {
       node.has_block = true;
-      open.push_back({std::move(node), token_});
+      open.push_back({Open::Kind::block, std::move(node), token_});
       step();
     } else if (accept(';')) {
-      siblings().push_back(std::move(node));
+      done(std::move(node));
+    } else if (token_.kind == Token::Kind::identifier || modifier_of(token_) != 0) {
+      node.has_block = true;
+      open.push_back({Open::Kind::child, std::move(node), token_});
     } else {
       fail(token_, fmt::format("';' or '{{' after '{}(..)'", shortened(node.name)),
            "end the statement with ';' or give it a block { .. }");
@@ -111,6 +143,7 @@ Node Parser::statement_head() {
   node.name = name.spelling;
   node.line = name.line;
   node.column = name.column;
+  if (name.spelling.starts_with('$') && token_.is('=')) return special_variable(name, node.modifiers);
   if (is_openscad_keyword(node.name)) reject_language(name, fmt::format("'{}' is no statement of a scene", node.name));
   if (token_.is('=')) reject_language(name, fmt::format("'{}' is a variable", shortened(node.name)));
   if (!token_.is('('))
@@ -119,6 +152,24 @@ Node Parser::statement_head() {
   const Token opening = token_;
   step();
   node.arguments = arguments(opening);
+  return node;
+}
+
+/// `$fn = 50;` as a statement of that name with the value as its only argument.
+Node Parser::special_variable(const Token& name, std::uint8_t modifiers) {
+  Node node;
+  node.name = name.spelling;
+  node.line = name.line;
+  node.column = name.column;
+  node.modifiers = modifiers;
+  step();
+  Argument argument;
+  argument.line = token_.line;
+  argument.column = token_.column;
+  argument.value = value(0);
+  node.arguments.push_back(std::move(argument));
+  reject_expression();
+  if (!accept(';')) fail(token_, fmt::format("';' after the value of '{}'", node.name), "end it with ';'");
   return node;
 }
 

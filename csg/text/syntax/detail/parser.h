@@ -12,7 +12,11 @@ namespace csgcast::text {
 
 /// The grammar, one token ahead. See reader.h for what it throws.
 ///
-///     statement := ("%" | "#" | "!" | "*")* NAME "(" arguments ")" (";" | "{" statement* "}")
+///     statement := ";" | "{" statement* "}" | SPECIAL "=" value ";"
+///                | ("%" | "#" | "!" | "*")* NAME "(" arguments ")" (";" | "{" statement* "}" | statement)
+///
+/// SPECIAL is a name that begins with `$`. A block without a name is its statements; `;` alone is nothing.
+///
 ///     arguments := [argument ("," argument)* [","]]     argument := [NAME "="] value
 ///     value     := ["+" | "-"] NUMBER | ["+" | "-"] ("inf" | "nan") | "true" | "false" | "undef" | STRING
 ///                | "[" [value ("," value)* [","]] "]"
@@ -35,6 +39,7 @@ class Parser {
   [[noreturn]] void too_much(const Token& token, const std::string& problem, const std::string& why) const;
 
   Node statement_head();
+  Node special_variable(const Token& name, std::uint8_t modifiers);
   std::uint8_t modifiers();
   std::vector<Argument> arguments(const Token& opening);
   Argument argument();
