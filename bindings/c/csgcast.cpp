@@ -2,6 +2,7 @@
 #include "bindings/c/csgcast.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <limits>

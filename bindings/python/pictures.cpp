@@ -138,7 +138,7 @@ py::object camera_told(const SceneDescription& description) {
   told["look_at"] = tuple_of(camera.look_at);
   told["up"] = tuple_of(camera.up);
   camera.height ? told["height"] = *camera.height : told["fov"] = camera.fov;
-  return std::move(told);
+  return told;
 }
 
 /// The arguments of each Light.

@@ -93,9 +93,8 @@ py::dict checked(const Model& model, py::object callback, int threads) {
 /// The thickness, place, normal and leaf; None if there is no such place.
 py::object thinnest(const Model& model, std::int64_t grid, py::object callback, int threads) {
   Callbacks callbacks(std::move(callback), threads);
-  const auto found = callbacks.run([&] {
-    return model.thinnest(static_cast<std::size_t>(std::max<std::int64_t>(grid, 0)), callbacks.progress());
-  });
+  const auto found = callbacks.run(
+      [&] { return model.thinnest(static_cast<std::size_t>(std::max<std::int64_t>(grid, 0)), callbacks.progress()); });
   if (!found) return py::none();
   return py::make_tuple(found->thickness, vector_array(as_vector(found->place)), vector_array(as_vector(found->normal)),
                         found->leaf.index());

@@ -170,7 +170,7 @@ Job check(const RenderCommandOptions& options) {
   if (options.samples) job.render.samples = parse_samples(options);
   if (options.adaptive) job.render.sampling = adaptive_sampling(job.render);
   if (options.bits) job.picture.bits = parse_count("--bits", *options.bits, 8, 32);
-  job.has_alpha = options.alpha;
+  job.has_alpha = job.picture.has_alpha = options.alpha;
   if (!options.channels.empty()) read_channels(options.channels, job);
   check_channels(options, job);
   check_film_memory(job.render);
@@ -282,7 +282,7 @@ void render_picture(const RenderCommandOptions& options, Job& job, const SceneIn
     for (const auto& [name, text] : said) tile->add_note(name, text);
     write_tile(*tile, *color, files.picture);
   } else {
-    const PictureOptions picture{job.picture.bits, said};
+    const PictureOptions picture{job.picture.bits, said, job.has_alpha};
     const std::string name = picture_name(options.output);
     files.picture.write(options.channels.empty() ? image_bytes(*color, name, picture)
                                                  : layer_bytes(layers(job, color, films), name, picture));

@@ -25,25 +25,27 @@ enum Bits : unsigned { b8 = 1, b16 = 2, b32 = 4 };
 
 struct Format {
   const char* ending;
-  unsigned bits;  ///< the first one of the set is usual
+  unsigned bits;  ///< the least of the set is usual
   int longest_side = std::numeric_limits<int>::max();
+  bool has_alpha = true;
 };
+constexpr int most = std::numeric_limits<int>::max();
 constexpr int jpeg_side = 65500;
 constexpr int webp_side = 16383;
 constexpr int word_side = 65535;
 constexpr int icon_side = 256;
 constexpr std::array formats{Format{".png", b8 | b16},
-                             Format{".jpg", b8, jpeg_side},
-                             Format{".jpeg", b8, jpeg_side},
+                             Format{".jpg", b8, jpeg_side, false},
+                             Format{".jpeg", b8, jpeg_side, false},
                              Format{".tif", b8 | b16 | b32},
                              Format{".tiff", b8 | b16 | b32},
                              Format{".exr", b32},
-                             Format{".hdr", b32},
+                             Format{".hdr", b32, most, false},
                              Format{".webp", b8, webp_side},
                              Format{".bmp", b8},
                              Format{".tga", b8, word_side},
-                             Format{".ppm", b8},
-                             Format{".pgm", b8},
+                             Format{".ppm", b8, most, false},
+                             Format{".pgm", b8, most, false},
                              Format{".gif", b8, word_side},
                              Format{".jp2", b8 | b16},
                              Format{".dpx", b8 | b16},
@@ -105,6 +107,16 @@ std::vector<std::string> names_of(FilmContent content, int channels) {
   return {"R", "G", "B"};
 }
 
+void check_alpha(const Format& format, const std::string& path) {
+  if (format.has_alpha) return;
+  std::string able;
+  for (const Format& other : formats) {
+    if (other.has_alpha) able += (able.empty() ? "" : ", ") + std::string(other.ending);
+  }
+  throw Error(ErrorCode::usage, {path, 0, 0}, "this kind of picture has no transparency",
+              fmt::format("{} files hold colours alone", format.ending), "these do: " + able);
+}
+
 void check_size(const Film& film, const Format& format, const std::string& path) {
   if (film.width() <= format.longest_side && film.height() <= format.longest_side) return;
   throw Error(ErrorCode::limit, {path, 0, 0}, "the picture is too large for this kind of file",
@@ -134,6 +146,7 @@ std::vector<std::byte> encoded(const std::string& path, Encode&& encode) {
 
 void check_image_path(const std::string& path, const PictureOptions& options) {
   const Format& format = format_of(path);
+  if (options.has_alpha) check_alpha(format, path);
   if (!is_plain_png(format, bits_of(path, format, options))) detail::prepare_picture_module();
 }
 
@@ -141,6 +154,7 @@ std::vector<std::byte> image_bytes(const Film& film, const std::string& path, co
   const Format& format = format_of(path);
   const int bits = bits_of(path, format, options);
   check_size(film, format, path);
+  if (film.content() == FilmContent::color_alpha) check_alpha(format, path);
   detail::EncodedPicture picture{.width = film.width(), .height = film.height(), .notes = all_notes(options)};
   if (bits == 32) {
     picture.type = detail::PixelType::real;

@@ -15,6 +15,7 @@ struct PictureOptions {
   int bits = 0;  ///< a channel: 8, 16, or 32 for floats; 0: what is usual for the kind of file
   /// What the file says of itself besides "Software", as names and texts: kinds of files without room for it drop it.
   std::vector<std::pair<std::string, std::string>> notes{};
+  bool has_alpha = false;  ///< the picture will have alpha: check_image_path() asks whether the kind of file does
 };
 
 /// Throws Error(usage) unless the path ends in a kind of picture that can be written, in either case, with so many

@@ -91,7 +91,7 @@ TEST_CASE("joining tiles tells which is missing, doubled, of another picture, or
   CHECK(
       starts(join({"0.csgtile", "1.csgtile", "2.csgtile", "1.csgtile"}), "1.csgtile: error: tile 1/3 is given twice"));
   CHECK(starts(folder.error({"join", "0.csgtile", "1.csgtile", "2.csgtile"}), "csgcast: error: -o is needed"));
-  CHECK(starts(folder.error({"join"}), "csgcast: error: parts is required"));
+  CHECK(starts(folder.error({"join"}), "csgcast: error: PART is missing"));
   CHECK(starts(folder.error({"join", "-o", "0.csgtile", "0.csgtile"}), "csgcast: error: -o '0.csgtile' is the file"));
   const std::string good = folder.read("1.csgtile");
   folder.tile(1, 3, {"--samples", "4"});

@@ -176,7 +176,7 @@ std::vector<BadCall> bad_calls() {
            options.mode = Mode::depth;
          });
        }},
-      {"an unknown picture", usage, [] { check_image_path("a.bmp"); }, {"a.bmp", 0, 0}},
+      {"an unknown picture", usage, [] { check_image_path("a.stl"); }, {"a.stl", 0, 0}},
       {"a folder that is not there", input_output, [] { WholeFile("no/such/file"); }, {"no/such/file", 0, 0}},
       {"a full disk",
        machine,

@@ -77,7 +77,7 @@ TEST_CASE("$fn, $fa and $fs hold in all of their block and below, the last one c
   CHECK(meaning("$fn = 9; cylinder(h = 1, r = 2, $fn = 6);") == hexagon);
   const std::string round = meaning("cylinder(h = 1, r = 2);");
   CHECK(round != hexagon);
-  CHECK(meaning("group() { $fn = 6; } cylinder(h = 1, r = 2);") == round);
+  CHECK(meaning("group() { $fn = 6; } cylinder(h = 1, r = 2);") == meaning("group() {} cylinder(h = 1, r = 2);"));
   CHECK(meaning("$fn = 6; cylinder(h = 1, r = 2, $fn = 0);") == round);
   CHECK(meaning("*$fn = 6; cylinder(h = 1, r = 2);") == round);
   CHECK(meaning("$fa = 60; $fs = 0.1; cylinder(h = 1, r = 2);", Facets::always) ==

@@ -100,7 +100,7 @@ def test_other_types_and_layouts_give_the_same(model):
 
 
 def test_principal_moments_hold():
-    m = csgcast.cube([1, 2, 3]).rotate([0, 0, 30]).translate([9, 9, 9]).compile().measure(1e-8)
+    m = csgcast.box([1, 2, 3]).rotate([0, 0, 30]).translate([9, 9, 9]).compile().measure(1e-8)
     assert np.abs(m.principal_moments - [2.5, 5, 6.5]).max() <= m.principal_error + 1e-13 < 1e-5
     assert m.principal_axes.shape == (3, 3) and m.principal_angles.shape == (3,)
     assert np.allclose(m.inertia, m.principal_axes.T @ np.diag(m.principal_moments) @ m.principal_axes, atol=1e-12)
@@ -226,6 +226,7 @@ ON_THREADS = {
     "first_hits": lambda m, threads: m.first_hits(MANY, [0, 0, 1], threads=threads).t,
     "any_hits": lambda m, threads: m.any_hits(MANY, [0, 0, 1], threads=threads),
     "locate": lambda m, threads: m.locate(MANY, threads=threads),
+    "thickness": lambda m, threads: m.thickness(MANY, [0, 0, 1], threads=threads),
     "measure": lambda m, threads: m.measure(threads=threads).volume,
     "section": lambda m, threads: m.section([0, 0.1, 1], threads=threads).area,
     "thinnest": lambda m, threads: m.thinnest(30, threads=threads)[0],

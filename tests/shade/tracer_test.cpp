@@ -113,7 +113,7 @@ TEST_CASE("a pixel's tree prints a line for each ray, children indented below th
   Stage stage(painted(halfspace({0, 0, 1}, 0).at({"a.csg", 3, 7}), mirror(0.5)), {sun({0, 0, -1})});
   const std::string text = to_string(stage.tree({0, 0, 2}, {0, 0, -1}), stage.scene);
   REQUIRE(text ==
-          "primary hits a.csg:3:7 halfspace (look 1) at t 2, weight [1 1 1], brings [0 0 0]\n"
+          "primary hits a.csg:3:7 halfspace (look 1) at t 2 on surface 0 (plane), weight [1 1 1], brings [0 0 0]\n"
           "  shadow to light 1 not traced: adds nothing\n"
           "  reflection leaves: background, weight [0.5 0.5 0.5], brings [0.5 0.25 0.125]\n");
 }

@@ -48,6 +48,13 @@ void Evaluator::evaluate_clipped(NodeId node, Span span, Want want, IntervalList
   clip(list, span, [this](const Crossing& a, double t) { return cache_.order(a, t); });
 }
 
+bool Evaluator::may_meet_box(const Box& box, Span& reach) const {
+  const double margin = cache_.departure_margin();
+  if (margin == 0) return may_meet(box, cache_.ray(), reach);
+  const Vector more{margin, margin, margin};
+  return may_meet({box.lower - more, box.upper + more}, cache_.ray(), reach);
+}
+
 // Opens a node. A node without children, or whose box the ray misses within the span, delivers its list at once.
 void Evaluator::enter(NodeId id, Span span, Want want) {
   const Node& node = scene_.node(id);
@@ -61,7 +68,7 @@ void Evaluator::enter(NodeId id, Span span, Want want) {
   }
   ++box_tests_;
   Span reach = span;
-  if (!may_meet(node.box, cache_.ray(), reach)) {
+  if (!may_meet_box(node.box, reach)) {
     push_list();
     return deliver();
   }

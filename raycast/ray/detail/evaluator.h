@@ -45,6 +45,7 @@ class Evaluator {
     Want want;
   };
 
+  bool may_meet_box(const Box& box, Span& reach) const;
   void enter(NodeId id, Span span, Want want);
   void deliver();
   Span child_span(const OpenNode& open);

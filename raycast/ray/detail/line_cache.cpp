@@ -2,6 +2,7 @@
 #include "raycast/ray/detail/line_cache.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "csg/base/length.h"
 #include "csg/base/precondition.h"
@@ -16,6 +17,9 @@ void LineCache::begin(const Ray& ray, SurfaceId departure, Sense side) {
   if (entries_.empty()) entries_.resize(scene_.surfaces().size());
   line_ = Line(ray, scene_.frame(), departure, side);
   line_.memory = &memory_;
+  // Places are a few roundings off, of their coordinates and of the scene's size.
+  departure_margin_ =
+      departure.valid() ? 0x1p-40 * (longest(ray.origin() - Point{}) + std::ldexp(1.0, scene_.frame().exponent)) : 0;
   memory_.forget();
   rays_flagged_ = rays_flagged();
   calls_at_begin_ = exact_calls_.beyond_double();

@@ -25,6 +25,9 @@ class LineCache final : public LeafLine {
   /// Turns to another ray. `departure` is the surface that the ray starts on, going to that side; not valid if none.
   void begin(const Ray& ray, SurfaceId departure, Sense side);
   const Ray& ray() const override { return line_.ray; }
+  /// How far from the surface that it starts on, by definition, the rounded start may be on each axis; 0 for a ray that
+  /// departs from none. Boxes count as so much larger: the start lies in that of a needle as well.
+  double departure_margin() const { return departure_margin_; }
   /// How often the crossings of a ray and a surface were computed since the cache was made.
   std::uint64_t surface_tests() const { return surface_tests_; }
   /// The decisions that double left open since the cache was made.
@@ -91,6 +94,7 @@ class LineCache final : public LeafLine {
   const Scene& scene_;
   const Predicates predicates_;
   Line line_;
+  double departure_margin_ = 0;
   LineMemory memory_;
   ExactCalls exact_calls_;
   std::uint64_t calls_at_begin_ = 0;

@@ -8,8 +8,8 @@
 
 namespace csgcast::detail {
 
-/// A film in 8 or 16 bits: rows from the top. Colours, normals, places and ids have three channels (R, G, B), with alpha
-/// four, else one. Alpha is not multiplied into the colours.
+/// A film in 8 or 16 bits: rows from the top. Colours, normals, places and ids have three channels (R, G, B), with
+/// alpha four, else one. Alpha is not multiplied into the colours.
 struct EncodedFilm {
   int width = 0;
   int height = 0;

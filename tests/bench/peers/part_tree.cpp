@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "csg/exact/composition.h"
 #include "csg/solid/leaf_shape.h"
 #include "csg/solid/simplify.h"
 
@@ -16,18 +17,6 @@ using Kind = Solid::Kind;
 
 [[noreturn]] void refuse(const std::string& what) {
   throw std::runtime_error("the other programs are not asked about " + what);
-}
-
-Transform operator*(const Transform& a, const Transform& b) {
-  Transform product;
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 4; ++column) {
-      double sum = column == 3 ? a(row, 3) : 0;
-      for (std::size_t i = 0; i < 3; ++i) sum += a(row, i) * b(i, column);
-      product.entry[4 * row + column] = sum;
-    }
-  }
-  return product;
 }
 
 Point operator*(const Transform& m, Point p) {
