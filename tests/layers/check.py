@@ -20,6 +20,8 @@ includes Eigen, but for the one that is about it (EIGEN_HEADERS).
 Tests. A file with test cases is called *_test.cpp, and only such a file. Names of test cases have no semicolon, at
 which CTest parts them.
 
+Docs. Lines of the .md files in docs/ and beside it have at most 100 columns, but for tables, links and blocks of code.
+
 Prints file:line: breach for each, and exits 1 if there is one. Sizes are places to look, not rules: --sizes lists the
 files of more than 400 lines and the functions of more than 60.
 """
@@ -192,6 +194,16 @@ def check_tests(name, text):
         yield f"{name}:1: a file is called *_test.cpp if it has test cases, and only then"
 
 
+def check_widths(root):
+    """Lines of docs, but for tables, links and what stands in a block of code."""
+    for path in sorted([*root.glob("docs/*.md"), *root.glob("*.md")]):
+        is_code = False
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            is_code ^= line.startswith("```")
+            if len(line) > 100 and not is_code and not line.startswith(("|", "![", "    ")):
+                yield f"{path.relative_to(root)}:{number}: a line of {len(line)} columns, more than 100"
+
+
 def circles(edges):
     """Rooms that include each other in a circle, each circle once, as `a -> b -> a`."""
     reached = {}
@@ -263,6 +275,7 @@ def check(root):
         if count > MOST_FILES:
             yield f"{room}:1: a room of {count} files, more than {MOST_FILES}"
     yield from check_classes(homes)
+    yield from check_widths(root)
     for header in sorted(public):
         if not (root / header).exists():
             yield f"{header}:1: listed as a public header, but there is none"

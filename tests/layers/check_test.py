@@ -131,6 +131,10 @@ class Breach(unittest.TestCase):
             text = f"#include <{header}>\n"
             self.assert_breach("shade/picture/b.cpp:1", {"shade/picture/a.cpp": text, "shade/picture/b.cpp": text})
 
+    def test_a_wide_line_of_docs(self):
+        wide = "word " * 21
+        self.assert_breach("docs/a.md:2: a line of 105 columns", {"docs/a.md": f"# A\n{wide}\n| {wide}|\n```\n{wide}\n```\n"})
+
     def test_a_test_case_with_a_semicolon(self):
         self.assert_breach("tests/a_test.cpp:2: a test case with a semicolon",
                            {"tests/a_test.cpp": 'int a;\nTEST_CASE("this; that") {}\n'})
