@@ -34,6 +34,8 @@ class CMakeBuild(build_ext):
         for built in modules:
             self.copy_file(str(built), str(target / built.name))
         self.copy_file(str(program), str(target / "bin" / "csgcast"))
+        for built in (tree / "modules").glob("*.so"):  # what both load for pictures; none without OpenImageIO
+            self.copy_file(str(built), str(target / built.name))
 
 
 setup(

@@ -16,9 +16,9 @@ endif()
 if(CMAKE_SYSTEM_NAME STREQUAL Linux)
   target_link_options(csgcast_options INTERFACE LINKER:--as-needed)
 endif()
-# Where programs look for the modules that they load: in the build tree, and where they are installed.
+# Where programs look for the modules that they load: in the build tree, in a Python package, and where they are installed.
 set(module_folder ${CMAKE_INSTALL_FULL_LIBDIR}/csgcast)
-set(CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR}/modules)
+set(CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR}/modules $ORIGIN $ORIGIN/..)
 set(CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR}/csgcast)
 if(BUILD_SHARED_LIBS)
   list(APPEND CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR} $ORIGIN $ORIGIN/csgcast)
