@@ -48,7 +48,7 @@ void Evaluator::evaluate_clipped(NodeId node, Span span, Want want, IntervalList
   clip(list, span, [this](const Crossing& a, double t) { return cache_.order(a, t); });
 }
 
-// Opens a node. A node without children, or whose box the ray misses within the span, delivers its list at once.
+// Opens a node. If the node has no children, or the ray misses its box within the span, its list is delivered at once.
 void Evaluator::enter(NodeId id, Span span, Want want) {
   const Node& node = scene_.node(id);
   if (node.op == Node::Op::empty) {
