@@ -15,8 +15,8 @@ constexpr Sense opposite(Sense sense) { return sense == Sense::negative ? Sense:
 /// One crossing of the ray's line with a surface, or the end of an interval that no surface makes.
 struct Crossing {
   double t = 0;
-  SurfaceId surface;      ///< not valid for an infinite end, or where the query's span cut the interval off
-  std::uint8_t root = 0;  ///< 0 or 1: the first or second crossing of those that matter to the scene on this line
+  SurfaceId surface;      ///< not valid for an infinite end, or for an end where the query's span cuts the interval off
+  std::uint8_t root = 0;  ///< its number, from 0, among the surface's crossings that matter to the scene on this line
 };
 
 }  // namespace csgcast

@@ -10,7 +10,7 @@ int sign_of_sum(const Dyadic& a, const Dyadic& b) { return (a + b).sign(); }
 
 Dyadic signed_square(const Dyadic& a) { return a.sign() < 0 ? -(a * a) : a * a; }
 
-// The sign of x + y sqrt(d), d >= 0: by comparing squares where the terms pull apart.
+// The sign of x + y sqrt(d), where d >= 0. If the two terms have opposite signs, their squares are compared.
 int sign_with_root(const Dyadic& x, const Dyadic& y, const Dyadic& d) {
   const int sx = x.sign();
   const int sy = d.is_zero() ? 0 : y.sign();
@@ -18,11 +18,12 @@ int sign_with_root(const Dyadic& x, const Dyadic& y, const Dyadic& d) {
   return sign_of_sum(signed_square(x), signed_square(y) * d);
 }
 
-// The sign of x + y sqrt(d) + z sqrt(e), d, e >= 0.
+// The sign of x + y sqrt(d) + z sqrt(e), where d, e >= 0.
 int sign_with_roots(const Dyadic& x, const Dyadic& y, const Dyadic& d, const Dyadic& z, const Dyadic& e) {
   if (e.is_zero() || z.is_zero()) return sign_with_root(x, y, d);
   if (d.is_zero() || y.is_zero()) return sign_with_root(x, z, e);
-  // r = y sqrt(d) + z sqrt(e), its sign by squares; then x against r: x² - r² = (x² - y² d - z² e) - 2 y z sqrt(d e).
+  // Let r = y sqrt(d) + z sqrt(e). Its sign follows from squares. Then x is compared with r by x² - r² = (x² - y² d -
+  // z² e) - 2 y z sqrt(d e).
   const Dyadic yyd = y * y * d;
   const Dyadic zze = z * z * e;
   const int sr = y.sign() == z.sign() ? y.sign() : y.sign() * (yyd - zze).sign();

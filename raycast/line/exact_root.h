@@ -7,8 +7,8 @@
 
 namespace csgcast::detail {
 
-/// Where a crossing is, exactly: t = (p + s sqrt(d)) / q with integers (times powers of two) p, q, d >= 0 and s = -1, 0
-/// or 1. Roots of surfaces of all kinds compare with each other.
+/// The exact place of a crossing: t = (p + s sqrt(d)) / q. Here p, q and d >= 0 are integers times powers of two, and s
+/// is -1, 0 or 1. Roots of surfaces of all kinds can be compared with each other.
 struct ExactRoot {
   Dyadic p;
   Dyadic q;
@@ -18,8 +18,8 @@ struct ExactRoot {
   explicit ExactRoot(const Dyadic& value) : p(value), q(1.0) {}
   /// Precondition: the divisor is not zero.
   static ExactRoot quotient(const Dyadic& dividend, const Dyadic& divisor);
-  /// The lower (root 0) or the upper root of a t² + b t + c; of b t + c, if a is zero, its only one. d < 0
-  /// if there are none. Precondition: the polynomial is not constant.
+  /// The lower root (number 0) or the upper root (number 1) of a t² + b t + c. If a is zero, this is the only root of b
+  /// t + c. If there are no roots, d < 0. Precondition: the polynomial is not constant.
   static ExactRoot of(const Dyadic& a, const Dyadic& b, const Dyadic& c, unsigned root);
 };
 

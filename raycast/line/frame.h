@@ -14,7 +14,8 @@ struct Frame {
   Point center;
   int exponent = 0;
 
-  /// The frame of a scene whose bounded leaves fill a box. If the box is null or infinite, the world's own coordinates.
+  /// The frame of a scene whose bounded leaves fill a box. If the box is null or infinite, the frame is the world's own
+  /// coordinates.
   static Frame around(const Box& bounded_leaves);
 };
 

@@ -24,7 +24,7 @@ LineFrame::LineFrame(const Ray& ray, const Frame& frame) {
   direction_squared = dot(direction, direction);
   inverse_squared = 1 / direction_squared;
 
-  // o - center exactly, as a sum of two doubles for each axis.
+  // o - center is computed exactly, as a sum of two doubles for each axis.
   Vector high;
   Vector low;
   for (std::size_t axis = 0; axis < 3; ++axis) {

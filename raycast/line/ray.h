@@ -13,16 +13,16 @@ namespace csgcast {
 /// not be 1.
 class Ray {
  public:
-  /// The range in which nothing over- or underflows: no coordinate of origin or direction is beyond `greatest`, and the
-  /// longest coordinate of the direction is at least `least_direction`.
+  /// The range in which nothing overflows or underflows: every coordinate of origin and direction is at most `greatest`
+  /// in magnitude, and the longest coordinate of the direction is at least `least_direction`.
   static constexpr double greatest = 0x1p400;
   static constexpr double least_direction = 0x1p-400;
 
-  /// True if an origin and a direction are within that range; a zero direction is not. Precondition: both are finite.
+  /// True if origin and direction are within that range. A zero direction is not. Precondition: both are finite.
   static bool in_range(Point origin, Vector direction);
 
-  /// Throws Error(bad_value) for a zero direction or a number that is not finite, Error(limit) for one out of the
-  /// range.
+  /// Throws Error(bad_value) if the direction is zero or a number is not finite. Throws Error(limit) if a number is out
+  /// of the range.
   Ray(Point origin, Vector direction);
 
   Point origin() const { return origin_; }

@@ -25,7 +25,7 @@ struct Hit {
   Passage passage = Passage::entry;
 };
 
-/// A change of medium along a ray. A region is not valid if the ray is in no solid there, or in an opaque one.
+/// A change of medium along a ray. A region is not valid if the ray is outside every solid there, or in an opaque one.
 struct Interface {
   Hit hit;          ///< the boundary of the layer that begins or ends here
   RegionId before;  ///< the transmitting region that the ray is in before the change
@@ -40,11 +40,11 @@ struct Attribution {
   RegionId region;  ///< the region that the leaf belongs to
   PartId part;      ///< not valid outside every named part
   LookId look;      ///< what to shade the face with
-  /// The place, in double. Beside the error of its crossing it is off by at most 2^-51 of the scene's size
+  /// The place in double. Beside the error of its crossing, it is off by at most 2^-51 of the scene's size
   /// (Scene::frame) and 2^-52 of its coordinates. For a ray from far away this is more accurate than o + t d.
   Point point;
   Normal normal;  ///< unit, out of the solid
-  Sense front;    ///< the side of the crossing's surface that the ray comes from; it goes on to the other
+  Sense front;    ///< the side of the crossing's surface that the ray comes from; the ray goes on to the other side
 };
 
 inline EndFace end_face(const Attribution& face) { return {face.leaf, face.look, face.normal}; }

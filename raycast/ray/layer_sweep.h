@@ -21,22 +21,22 @@ inline bool is_opaque(const Scene& scene, std::size_t layer) {
   return layer != no_layer && !scene.layers()[layer].region.valid();
 }
 
-/// True if both layers transmit and look the same: then light neither turns nor dims between them.
+/// True if both layers transmit and look the same. Then light neither turns nor dims between them.
 inline bool same_medium(const Scene& scene, std::size_t a, std::size_t b) {
   const RegionId region_a = region_of(scene, a);
   const RegionId region_b = region_of(scene, b);
   return region_a.valid() && region_b.valid() && scene.region(region_a).look == scene.region(region_b).look;
 }
 
-/// Walks along a ray through the interval lists of the layers, from stop to stop: a stop is an end of a list, and ends
-/// that tie make one stop. `Order` is a weak ordering of crossings.
+/// Walks along a ray through the interval lists of the layers, from stop to stop. A stop is an end of a list; ends that
+/// tie make one stop. `Order` is a weak ordering of crossings.
 template <class Order>
 class LayerSweep {
  public:
   using Lists = std::vector<std::span<const Interval>>;
 
-  /// `passed[i]` counts the ends of list i that have been passed; it is overwritten. An entry that no surface makes, at
-  /// the start of a list, counts as passed from the beginning.
+  /// `passed[i]` counts the ends of list i that have been passed; the vector is overwritten. An entry at the start of a
+  /// list that no surface makes counts as passed from the beginning.
   LayerSweep(const Lists& lists, std::vector<std::size_t>& passed, Order order)
       : lists_(lists), passed_(passed), order_(order) {
     passed_.assign(lists.size(), 0);
@@ -45,7 +45,7 @@ class LayerSweep {
     }
   }
 
-  /// Passes the next stop; false if no surface makes one any more.
+  /// Passes the next stop. False if no surface makes a further stop.
   bool advance() {
     std::size_t first = no_layer;
     for (std::size_t layer = 0; layer < lists_.size(); ++layer) {
@@ -68,7 +68,7 @@ class LayerSweep {
     return no_layer;
   }
 
-  /// The last end of a layer's list that was passed, counted in ends.
+  /// The index of the last end that was passed in a layer's list.
   std::size_t last_end(std::size_t layer) const { return passed_[layer] - 1; }
   const Crossing& crossing(std::size_t layer, std::size_t end) const {
     const Interval& interval = lists_[layer][end / 2];
@@ -89,7 +89,7 @@ class LayerSweep {
 };
 
 /// Calls tell(change, layer, end) for each change of medium of a sweep, up to the first one into an opaque solid. The
-/// crossing of the change is the end with that number in the list of that layer.
+/// crossing of the change is the end with index `end` in the list of `layer`.
 template <class Order, class Tell>
 void each_change(const Scene& scene, LayerSweep<Order>& sweep, Tell&& tell) {
   std::size_t from = sweep.holder();
@@ -98,8 +98,8 @@ void each_change(const Scene& scene, LayerSweep<Order>& sweep, Tell&& tell) {
     if (to == from) continue;
     const bool into_opaque = is_opaque(scene, to);
     if (!same_medium(scene, from, to)) {
-      // If the new medium begins here, the face is its own. Else the old medium hid it so far, and the old one's face
-      // is seen, which ends here.
+      // If the new medium begins here, the face is its own. Otherwise the old medium, which ends here, has hidden the
+      // new one so far, and the old one's face is seen.
       const bool enters = to != no_layer && sweep.begins_here(to);
       const std::size_t layer = enters ? to : from;
       const std::size_t end = sweep.last_end(layer);

@@ -16,8 +16,8 @@ void PartOverlaps::collect(Caster& caster, Span span) {
       ends_.push_back({interval.exit, PartId(i), Passage::exit});
     }
   }
-  // Where ends tie, exits come first: a part that begins there has nothing in common with one that ends there. An exit
-  // of a part never ties with an entry of the same part.
+  // Where ends tie, exits come first, because a part that begins there shares nothing with a part that ends there. An
+  // exit of a part never ties with an entry of the same part.
   std::ranges::stable_sort(ends_, [&](const End& a, const End& b) {
     const auto side = caster.order(a.at, b.at);
     return side != 0 ? side < 0 : a.passage > b.passage;

@@ -9,20 +9,20 @@
 
 namespace csgcast {
 
-/// Where a ray is inside two parts at once.
+/// A stretch of a ray that is inside two parts at once.
 struct PartOverlap {
   PartId first;  ///< the part that comes first in the file
   PartId second;
   Interval common;  ///< its ends are like those of Caster::intervals
 };
 
-/// Finds where a ray is inside two parts at once. Parts that only touch do not overlap, and parts overlap here exactly
-/// if they do on the exact line. Holds the working memory of one thread.
+/// Finds the stretches of a ray that are inside two parts at once. Parts that only touch do not overlap. Two parts
+/// overlap here exactly if they do on the exact line. The object holds the working memory of one thread.
 class PartOverlaps {
  public:
-  /// Lists where the caster's present ray is in both of any two parts, within the span. Overlaps are sorted by where
-  /// they end on the ray, then in file order. At most `most` are listed; the number that there are is returned. Time
-  /// and memory are those of an interval list for each part, plus what is listed. The vector is overwritten.
+  /// Lists the stretches of the caster's present ray that are inside both of two parts, within the span. Overlaps are
+  /// sorted by where they end on the ray, then in file order. At most `most` are listed; the total number is returned.
+  /// Time and memory are those of an interval list for each part, plus what is listed. The vector is overwritten.
   std::uint64_t find(Caster& caster, Span span, std::size_t most, std::vector<PartOverlap>& overlaps);
 
  private:

@@ -42,8 +42,8 @@ double slack_of(const CellForm& form, const CellBox& box) {
   const auto& c = form.c;
   const Vector half = 0.5 * (box.upper - box.lower);
   const Vector p = 0.5 * (box.upper + box.lower) - form.center;
-  // `magnitude` is the sum of what each term comes to at most. `moved` bounds what it changes to move the argument by
-  // as much as the coordinates' magnitudes; they round by a small share of that.
+  // `magnitude` bounds the sum of the magnitudes of all terms. `moved` bounds the change of the form if the argument
+  // moves by as much as the magnitudes of the coordinates. Rounding moves the argument by a small share of that.
   const Vector reach{std::fabs(p.x) + half.x, std::fabs(p.y) + half.y, std::fabs(p.z) + half.z};
   const Vector middle = 0.5 * (box.upper + box.lower);
   double magnitude = std::fabs(c[Form::one]);

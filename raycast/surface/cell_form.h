@@ -9,11 +9,11 @@
 
 namespace csgcast {
 
-/// A surface's form in the coordinates in which space is cut into boxes, about a center: f(center + q).
+/// A surface's form in the coordinates in which space is cut into boxes. It is taken about a center: f(center + q).
 struct CellForm {
   Surface::Coefficients c{};
   Vector center;
-  double off = 0;  ///< how far it may be off the surface's form, beyond the rounding of its numbers
+  double off = 0;  ///< bound on its difference from the surface's form, beyond the rounding of its numbers
 };
 
 /// An axis-aligned box in those coordinates; sides may be infinite.
@@ -36,9 +36,9 @@ struct LocalForm {
 /// A form about the middle of a box. Its slack covers the rounding of the form, of the box's middle and of the sums.
 /// Precondition: the box is finite.
 LocalForm local_form(const CellForm& form, const CellBox& box);
-/// The slack of that form. A box within another one has at most the other's slack.
+/// The slack of that form. The slack in a box is at most the slack in a larger box that contains it.
 double slack_of(const CellForm& form, const CellBox& box);
-/// The same form, with a slack that is known already.
+/// The same form, for a caller that knows its slack already.
 LocalForm local_form(const CellForm& form, const CellBox& box, double slack);
 
 }  // namespace csgcast

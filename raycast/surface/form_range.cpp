@@ -22,7 +22,7 @@ double greatest(double slope, double bend, double reach) {
   return (s + bend * reach) * reach;
 }
 
-// The most by which a form, or its contrary (sign = -1), may rise above its value in the middle of a box.
+// An upper bound on how far a form, or its negative (sign = -1), rises above its value in the middle of a box.
 double rise(const LocalForm& f, double sign, Vector half) {
   double up = std::fabs(f.bend[Form::xy]) * half.x * half.y + std::fabs(f.bend[Form::xz]) * half.x * half.z +
               std::fabs(f.bend[Form::yz]) * half.y * half.z;
@@ -30,7 +30,7 @@ double rise(const LocalForm& f, double sign, Vector half) {
   return up;
 }
 
-// True if a g - s f is seen to be negative in the whole box.
+// True if a g - s f is certainly negative in the whole box.
 bool is_negative(const LocalForm& g, double a, const LocalForm& f, double s, Vector half) {
   LocalForm rest;
   rest.value = a * g.value - s * f.value;
@@ -61,7 +61,7 @@ Likeness likeness(const LocalForm& f, const LocalForm& g, Vector half) {
 }
 
 bool implies(const Signed& f, const Signed& g, Vector half, const Likeness& between, const Likeness& own) {
-  // For the first s the difference has the least slope; for the second the least bend, of two spheres none.
+  // The first s gives the difference the least slope, the second the least bend. Two spheres then leave no bend.
   const double sign = f.sign * g.sign;
   const auto leaves_negative = [&](double product, double square) {
     if (!(sign * product > 0)) return false;
@@ -70,7 +70,7 @@ bool implies(const Signed& f, const Signed& g, Vector half, const Likeness& betw
   return leaves_negative(between.slopes, own.slopes) || leaves_negative(between.bends, own.bends);
 }
 
-// Coordinates of places along rays are up to 8, and may be off by 2^-49 each.
+// Coordinates of places along rays are at most 8, and may be off by 2^-49 each.
 double slack_of_lines(const CellForm& form, const CellBox& box) {
   CSGCAST_PRECONDITION(is_finite(box.lower) && is_finite(box.upper));
   const auto& c = form.c;
@@ -78,7 +78,7 @@ double slack_of_lines(const CellForm& form, const CellBox& box) {
   double bend = 0;
   for (std::size_t i = 0; i < Form::x; ++i) bend += std::fabs(c[i]);
   const double slope = std::fabs(c[Form::x]) + std::fabs(c[Form::y]) + std::fabs(c[Form::z]);
-  // What a place is off moves f by as much, times a bound of the gradient.
+  // An error of the place changes f by at most that error times a bound on the gradient.
   return slack_of(form, box) +
          form_tolerance * ((bend * reach + slope) * (reach + 8) + bend * reach + std::fabs(c[Form::one]));
 }
@@ -130,8 +130,8 @@ Sides sides_far_out(const CellForm& form, const CellBox& box) {
     const double high = box.upper[axis] - form.center[axis];
     if (!std::isfinite(low) && !std::isfinite(high)) return Sides::both;
     if (!std::isfinite(low) || !std::isfinite(high)) {
-      // The form is least extreme at the finite end. If it grows without end along one axis and falls along another, it
-      // has both signs.
+      // The form is least extreme at the finite end. If it grows without bound along one axis and falls along another,
+      // it has both signs.
       const double end = std::isfinite(low) ? low : high;
       const bool grows = (std::isfinite(low)) == (slope > 0);
       if (spread != 0 && std::isinf(spread) && (spread > 0) != grows) return Sides::both;

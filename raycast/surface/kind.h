@@ -12,36 +12,39 @@
 
 namespace csgcast {
 
-/// What the engine knows of one kind of surface: a row of the table of kinds (kinds.h). A function that gets the
-/// surface's id can tell whether the line departs from the surface. LineCrossings says what it answers then.
+/// Everything the engine knows of one kind of surface: a row of the table of kinds (kinds.h). Some functions get the
+/// surface's id, so that they can tell if the line departs from the surface. LineCrossings documents the answer for
+/// that case.
 struct SurfaceKind {
   const char* name = nullptr;       ///< "plane"
-  std::uint8_t most_crossings = 0;  ///< how often a line may meet such a surface
-  /// Whether surfaces with this form are of the kind. Of the two one is null.
+  std::uint8_t most_crossings = 0;  ///< the most crossings that a line may have with such a surface
+  /// True if surfaces with this form are of the kind. One of the two functions is null.
   bool (*takes)(const QuadricForm& form) = nullptr;
   bool (*takes_other)(const OtherForm& form) = nullptr;
 
-  // Which crossings exist, rung by rung of the ladder (docs/accuracy.md): nothing where the rung leaves it open.
+  // These find out which crossings exist, rung by rung of the ladder (docs/accuracy.md). A rung returns nothing if it
+  // leaves the answer open.
   std::optional<LineCrossings> (*in_double)(const Line& line, SurfaceId id, const Surface& surface) = nullptr;
   std::optional<LineCrossings> (*in_twofold)(const Line& line, SurfaceId id, const Surface& surface) = nullptr;
   LineCrossings (*exactly)(const Line& line, SurfaceId id, const Surface& surface) = nullptr;
-  /// Floating point as it comes, without bounds: what certification costs is measured against it.
+  /// Plain floating point without error bounds. The benchmark of the cost of certification uses it.
   LineCrossings (*uncertified)(const Line& line, SurfaceId id, const Surface& surface) = nullptr;
 
-  // Where a crossing is that exists.
+  // These locate a crossing that exists.
   std::optional<detail::TwofoldRoot> (*twofold_root)(const Line& line, const CrossingView& crossing) = nullptr;
   detail::ExactRoot (*exact_root)(const Line& line, const CrossingView& crossing) = nullptr;
-  /// t rounded to the nearest double, ties to even, where floating point is certain of it.
+  /// t rounded to the nearest double, ties to even. Returns nothing if floating point is not certain of it.
   std::optional<double> (*nearest_t)(const Line& line, const CrossingView& crossing) = nullptr;
   /// The same by exact arithmetic.
   double (*exact_nearest_t)(const Line& line, const CrossingView& crossing) = nullptr;
 
-  /// -1, 0 or 1: the sign of f(p), exactly.
+  /// The sign of f(p), exactly: -1, 0 or 1.
   int (*sign_at)(const Surface& surface, Point p) = nullptr;
-  /// The sides that the points of a finite box may be on, `both` if that is not known; in the frame's coordinates.
+  /// The sides of the surface that the points of a finite box may be on, in the frame's coordinates. The answer is
+  /// `both` if that is not known.
   detail::Sides (*sides_in)(const Surface& surface, const Frame& frame, const CellBox& box) = nullptr;
-  /// Lanes compute with the surface's ten numbers (Surface::local). If not, rays are left to the caster in every cell
-  /// that the surface may cross.
+  /// True if lanes can compute with the surface's ten numbers (Surface::local). If not, rays are left to the caster in
+  /// every cell that the surface may cross.
   bool has_lanes = false;
 
   /// The gradient of f at p up to a positive factor, in plain double.

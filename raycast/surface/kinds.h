@@ -9,7 +9,7 @@ namespace csgcast {
 
 using SurfaceKinds = std::span<const SurfaceKind* const>;
 
-/// The table of kinds, the plainest first: a form becomes a surface of the first kind that takes it.
+/// The table of kinds, the simplest first. A form becomes a surface of the first kind that takes it.
 SurfaceKinds surface_kinds();
 
 }  // namespace csgcast

@@ -14,7 +14,7 @@
 
 namespace csgcast {
 
-/// Keeps what was found out about one line: exact numbers, so that they are computed once, and the crossings that do
+/// Keeps what was found out about one line: exact numbers, so that they are computed only once, and crossings that do
 /// not fit into LineCrossings.
 class LineMemory {
  public:
@@ -22,9 +22,9 @@ class LineMemory {
   ~LineMemory();
   LineMemory(LineMemory&&) noexcept;
 
-  /// The line is another one: what was kept is gone, and its memory stays for the next one.
+  /// Prepares for another line. What was kept is dropped; the memory stays for the next line.
   void forget();
-  /// Room for numbers, valid until forget().
+  /// Returns room for numbers. It is valid until forget().
   std::span<double> room_for(std::size_t count);
 
   struct State;
@@ -41,26 +41,26 @@ struct Line {
 
   Ray ray;
   LineFrame in_frame;
-  SurfaceId departure;  ///< the surface that the ray starts on, exactly, by definition; or none
+  SurfaceId departure;  ///< the surface that the ray starts on, exactly, by definition; not valid if there is none
   Sense departure_side = Sense::positive;
   LineMemory* memory = nullptr;  ///< null: nothing is kept, and no surface may have more than two crossings
 };
 
-/// What one line meets of one surface f: its crossings in ascending order and the sign of f before the first.
+/// The crossings of one line with one surface f, in ascending order, and the sign of f before the first one.
 ///
-/// A root of even multiplicity is no crossing. Where f vanishes along the whole line (a ray in a plane, a generator of
-/// a quadric) there is no crossing and the line is on the positive side. Of the surface that a ray departs from only
-/// what comes after the start is told: no crossing at t = 0. Of a local surface (surface.h) only crossings in the
-/// frame's unit cube are told for certain: one that lies outside may be missing.
+/// A root of even multiplicity is no crossing. If f vanishes along the whole line (a ray in a plane, a generator of a
+/// quadric), there is no crossing and the line is on the positive side. If the ray departs from the surface, only
+/// crossings after the start are listed, none at t = 0. For a local surface (surface.h), only crossings in the frame's
+/// unit cube are listed for certain; a crossing outside may be missing.
 struct LineCrossings {
   LineCrossings() : few{} {}
 
-  /// tau of the crossings, in the line's frame (line_frame.h).
+  /// The tau of each crossing, in the line's frame (line_frame.h).
   union {
-    std::array<double, 2> few;     ///< if there are no more than two
-    std::span<const double> many;  ///< of more: in the line's memory
+    std::array<double, 2> few;     ///< used for at most two crossings
+    std::span<const double> many;  ///< used for more than two; the numbers are in the line's memory
   };
-  double error = 0;  ///< bound on |tau - exact tau|, of all
+  double error = 0;  ///< bound on |tau - exact tau|, for all crossings
   std::uint8_t count = 0;
   bool positive_before = true;
 
@@ -69,7 +69,7 @@ struct LineCrossings {
   bool positive_after(unsigned n) const { return positive_before != ((n & 1u) != 0); }
 };
 
-/// A crossing with what the predicates need to know of it.
+/// A crossing with all that the predicates need to know about it.
 struct CrossingView {
   SurfaceId id;
   const Surface* surface;
@@ -79,12 +79,13 @@ struct CrossingView {
   double tau() const { return found->tau(root); }
 };
 
-/// Decisions that double left open: those that twofold arithmetic took, and the rest, by kind, that took exact numbers.
+/// Counts of the decisions that double left open: those that twofold arithmetic took, and those that took exact
+/// numbers, by kind.
 struct ExactCalls {
   std::uint64_t twofold = 0;
   std::uint64_t existence = 0;
   std::uint64_t order = 0;
-  std::uint64_t rounding = 0;  ///< of a reported t; decides no structure
+  std::uint64_t rounding = 0;  ///< roundings of a reported t; they decide no structure
   std::uint64_t structural() const { return existence + order; }
   std::uint64_t beyond_double() const { return twofold + structural(); }
 };

@@ -12,7 +12,7 @@ std::weak_ordering by_value(double gap) {
   return gap < 0 ? std::weak_ordering::less : gap > 0 ? std::weak_ordering::greater : std::weak_ordering::equivalent;
 }
 
-// tau of a number; the unit is a power of two, so only the subtraction of the shift rounds.
+// The tau of a given t. The unit is a power of two, so only the subtraction of the shift rounds.
 double tau_of(const Line& line, double t) { return t / line.in_frame.unit - line.in_frame.shift; }
 
 std::weak_ordering order_with_infinity(double t) {
@@ -46,7 +46,7 @@ std::strong_ordering exact_order_in_frame(const Line& line, const CrossingView& 
 std::weak_ordering certified_order(const Line& line, const CrossingView& a, const CrossingView& b, ExactCalls& calls) {
   if (a.id == b.id) return a.root <=> b.root;
   const double gap = a.tau() - b.tau();
-  // The subtraction and the sum of the errors round by a relative u each: twice the errors cover both.
+  // The subtraction and the sum of the errors each round by a relative u. Twice the errors cover both.
   if (std::fabs(gap) > 2 * (a.found->error + b.found->error)) return by_value(gap);
   const auto root_a = a.surface->kind->twofold_root(line, a);
   const auto root_b = root_a ? b.surface->kind->twofold_root(line, b) : std::nullopt;

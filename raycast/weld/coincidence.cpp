@@ -14,8 +14,8 @@ using Form = QuadricForm;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // If errors are above this share of the largest coefficient, the numbers determine nothing.
 constexpr double most_error = 0x1p-20;
-// The rounding of f_i g_m - g_i f_m: each number is off by a relative 2^-104, products and difference by a few times
-// that.
+// Bound on the rounding of f_i g_m - g_i f_m. Each number is off by a relative 2^-104, and products and difference by a
+// few times that.
 constexpr double rounding = 0x1p-100;
 
 // The magnitude of an entry of the matrix of second derivatives.
@@ -29,7 +29,7 @@ std::size_t largest(const RegionForm& f) {
                                   f.coefficient.begin());
 }
 
-// f_i g_m - g_i f_m: the difference between f and g scaled to f, in coefficient i and times g_m.
+// Computes f_i g_m - g_i f_m. This is the difference between f and g scaled to f, in coefficient i and times g_m.
 Twofold difference(const RegionForm& f, const RegionForm& g, std::size_t i, std::size_t m) {
   return f.coefficient[i] * g.coefficient[m] + -(g.coefficient[i] * f.coefficient[m]);
 }
@@ -120,7 +120,7 @@ double distance_in_errors(const RegionForm& f, const FormError& f_error, const R
     if (!(f_error[i] <= most_error && g_error[i] <= most_error)) return infinity;
     const double fi = std::fabs(f.coefficient[i].high), gi = std::fabs(g.coefficient[i].high);
     if (f.is_exact && g.is_exact && same(f, g, i) && same(f, g, m)) continue;
-    // What the rounding of the forms may hide counts as a difference: errors that are smaller than that tell nothing.
+    // A difference that rounding of the forms may hide counts as one, because errors smaller than that tell nothing.
     const double apart = std::fabs(difference(f, g, i, m).high) + rounding * (fi * gm + gi * fm);
     if (apart == 0 || i == m) continue;
     most = std::fmax(most, apart / (gm * f_error[i] + fm * g_error[i] + fi * g_error[m] + gi * f_error[m]));
@@ -136,8 +136,8 @@ bool is_flipped(const RegionForm& f, const RegionForm& g) {
 double gap(const RegionForm& f, const RegionForm& g, const Region& region, const Box& box) {
   if (f.is_plane != g.is_plane || !f.in_range || !g.in_range) return infinity;
   if (f.is_plane) return plane_gap(f, g, region, box);
-  // The gap is the motion, shared between the two surfaces, that explains their difference. One of `tiny` on each axis
-  // at the box's sides is tried, and scaled by how many times its effect they are apart.
+  // The gap is the motion, shared between the two surfaces, that explains their difference. A motion by `tiny` on each
+  // axis at the box's sides is tried first. It is then scaled by the ratio of the surfaces' distance to its effect.
   constexpr double tiny = 0x1p-40;
   SmallMotion motion;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -9,7 +9,8 @@
 #include "raycast/line/twofold.h"
 #include "raycast/surface/rounded_form.h"
 
-// When two surfaces could be one but for errors of their numbers. docs/welding.md has the derivation.
+// These functions tell when two surfaces could be one, but for errors of their numbers. docs/welding.md has the
+// derivation.
 
 namespace csgcast::detail {
 
@@ -18,9 +19,10 @@ struct Region {
   Point center;
   int exponent = 0;
 
-  /// About a finite box: |s| <= 1 in it.
+  /// The region about a finite box, in which |s| <= 1.
   static Region around(const Box& box);
-  /// False if the region is so small beside its center's coordinates that doubles cannot tell errors in it.
+  /// False if the region is so small, compared with its center's coordinates, that doubles cannot represent errors in
+  /// it.
   bool is_resolved() const;
 };
 
@@ -39,26 +41,26 @@ struct RegionForm {
 /// Precondition: both regions have the same exponent.
 RegionForm seen_from(const RegionForm& form, const Region& region, const Region& place);
 
-/// An unknown small motion of a surface, in a region's coordinates: s -> s + offset + slope s. Each entry here is the
-/// greatest magnitude that the motion's may have.
+/// An unknown small motion of a surface, in a region's coordinates: s -> s + offset + slope s. Each entry is the
+/// greatest magnitude that the entry of the motion may have.
 struct SmallMotion {
   std::array<double, 3> offset{};
   std::array<double, 9> slope{};
 };
 
-/// How much an unknown small motion may change each coefficient, to first order.
+/// The most that an unknown small motion may change each coefficient, to first order.
 FormError error_of(const RegionForm& form, const SmallMotion& motion);
 
-/// How far two surfaces are apart, in multiples of their errors: at most 1 if they could be the same. One surface is
-/// scaled to the other, and the coefficient counts in which they are farthest apart. Infinite if errors are not finite
-/// or too large to tell anything.
+/// The distance of two surfaces in multiples of their errors. It is at most 1 if they could be the same. One surface is
+/// scaled to the other, and the coefficient in which they differ most counts. The distance is infinite if errors are
+/// not finite, or too large to tell anything.
 double distance_in_errors(const RegionForm& f, const FormError& f_error, const RegionForm& g, const FormError& g_error);
 
 /// True if g is nearer to -f than to f.
 bool is_flipped(const RegionForm& f, const RegionForm& g);
 
-/// The greatest distance of two surfaces over a box about the region, in the scene's unit of length; for quadrics an
-/// estimate of it. Infinite if they have little in common, as a plane and a quadric.
+/// The greatest distance of two surfaces over a box about the region, in the scene's unit of length. For quadrics it is
+/// an estimate. It is infinite if the surfaces have little in common, such as a plane and a quadric.
 double gap(const RegionForm& f, const RegionForm& g, const Region& region, const Box& box);
 
 }  // namespace csgcast::detail

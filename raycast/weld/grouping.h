@@ -9,7 +9,7 @@
 
 namespace csgcast::detail {
 
-/// The numbers below a count, joined into groups.
+/// The numbers below a count, which can be joined into groups.
 class Grouping {
  public:
   using Groups = std::vector<std::vector<std::uint32_t>>;
@@ -21,8 +21,8 @@ class Grouping {
     parent_[std::max(x, y)] = std::min(x, y);
   }
 
-  /// The groups, ascending, with only those numbers i for which wanted(i) is true. Groups of fewer than two of them are
-  /// left out.
+  /// The groups in ascending order. They contain only numbers i for which wanted(i) is true. A group with fewer than
+  /// two such numbers is left out.
   template <class Wanted>
   Groups groups(Wanted&& wanted) {
     std::vector<std::uint32_t> count(parent_.size());  // by root: the size of its group
@@ -30,7 +30,7 @@ class Grouping {
       if (wanted(i)) ++count[root_of(i)];
     }
     Groups groups;
-    std::vector<std::uint32_t> place(parent_.size());  // by root: where its group stands in groups
+    std::vector<std::uint32_t> place(parent_.size());  // by root: the index of its group in `groups`
     for (std::uint32_t i = 0; i < parent_.size(); ++i) {
       if (count[i] < 2) continue;
       place[i] = static_cast<std::uint32_t>(groups.size());

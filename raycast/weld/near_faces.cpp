@@ -23,7 +23,7 @@ bool NearFaces::search(std::span<const LeafFaces> leaves, std::uint64_t most_wor
     const double x = leaves[i].box.lower.x, y = leaves[j].box.lower.x;
     return x != y ? x < y : i < j;
   });
-  // A sweep along x. `open` has the leaves whose range in x is not over yet.
+  // This is a sweep along x. `open` has the leaves whose range in x is not over yet.
   std::vector<std::uint32_t> open;
   for (const std::uint32_t i : by_lower) {
     const double front = leaves[i].box.lower.x - most_gap_;

@@ -20,12 +20,13 @@ struct LeafFaces {
 /// that a person sets, which may be large compared with a leaf.
 class NearFaces {
  public:
-  /// `forms` are those of all surfaces, in one region. The surfaces of a pair are at most `most_gap` apart over the
-  /// boxes of its leaves.
+  /// `forms` are the forms of all surfaces, in one region. The surfaces of a reported pair are at most `most_gap` apart
+  /// over the boxes of its leaves.
   NearFaces(std::span<const RegionForm> forms, const Region& region, double most_gap)
       : forms_(forms), region_(region), most_gap_(most_gap) {}
 
-  /// A pair of surfaces a < b, with the leaves that brought them together. It may come again with other leaves.
+  /// A pair of surfaces a < b, with the leaves that brought them together. The same pair may be reported again with
+  /// other leaves.
   struct Pair {
     std::uint32_t a;
     std::uint32_t b;
@@ -33,10 +34,10 @@ class NearFaces {
     std::uint32_t leaf_of_b;
     double gap;
   };
-  /// Takes a pair. Returns false if it wants no more.
+  /// Receives a pair. Returns false if it wants no more.
   using Take = std::function<bool(const Pair&)>;
 
-  /// Hands each pair over. False if `most_work` comparisons were not enough, or no more were wanted.
+  /// Hands each pair over. Returns false if `most_work` comparisons were not enough, or if `take` wanted no more.
   bool search(std::span<const LeafFaces> leaves, std::uint64_t most_work, const Take& take);
 
  private:

@@ -11,8 +11,8 @@ namespace {
 constexpr double u = 0x1p-53;
 constexpr double most_reach = 0x1p-2;
 
-// A direction in the space of coefficients. Any will do along which two different surfaces of a scene are unlikely to
-// agree.
+// A direction in the space of coefficients. It may be any direction in which two different surfaces of a scene are
+// unlikely to agree.
 constexpr std::array<double, QuadricForm::term_count> weight{0.8147, 0.5479, 0.9661, 0.6324, 0.7278,
                                                              0.4218, 0.9157, 0.6787, 0.5822, 0.8491};
 
@@ -33,7 +33,7 @@ void NearPairs::add(std::uint32_t surface, const RegionForm& form, const FormErr
     off_norm += error[i];
   }
   norm = std::sqrt(norm);
-  // The sum is off by at most `off`, the norm by at most the sum of the errors. 64 u covers the rounding of both.
+  // The sum is off by at most `off`, and the norm by at most the sum of the errors. 64 u covers the rounding of both.
   const double reach = off / norm + std::fabs(sum) / norm * (off_norm / norm) + 64 * u;
   if (reach <= most_reach) ranges_[surface] = {std::fabs(sum) / norm, reach};
 }

@@ -17,7 +17,7 @@ class NearPairs {
   /// The forms must be in one common region. Surfaces whose errors are too large to tell anything are left out.
   void add(std::uint32_t surface, const RegionForm& form, const FormError& error);
 
-  /// The surfaces in groups of two or more. Surfaces with overlapping ranges are in one group.
+  /// The surfaces in groups of two or more. Surfaces with overlapping ranges belong to the same group.
   Grouping::Groups groups() const;
   /// True if the ranges of two surfaces overlap. Precondition: both have been added.
   bool overlap(std::uint32_t a, std::uint32_t b) const;

@@ -24,7 +24,7 @@ void add_product(FormError& sum, double factor, const LinearForm& a, const Linea
   sum[Form::one] += factor * a[3] * b[3];
 }
 
-// The polynomial with these coefficients in q, where q is a linear function of s.
+// The polynomial with coefficients c in q, where q is a linear function of s.
 FormError substituted(const FormError& c, const std::array<LinearForm, 3>& q) {
   static constexpr LinearForm constant{0, 0, 0, 1};
   FormError sum{};
@@ -36,8 +36,8 @@ FormError substituted(const FormError& c, const std::array<LinearForm, 3>& q) {
   return sum;
 }
 
-// Adds the motion of points that are off by up to |off| on each axis, a function of s, and that `linear` then moves to
-// the world.
+// Adds the motion of points that are off by up to |off| on each axis. `off` is a function of s. The motion is then
+// moved to the world by `linear`.
 void add_moved(SmallMotion& motion, const Matrix& linear, const std::array<LinearForm, 3>& off, int exponent) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -49,7 +49,7 @@ void add_moved(SmallMotion& motion, const Matrix& linear, const std::array<Linea
   }
 }
 
-// Equal transforms have equal hashes: adding zero makes a positive zero of a negative one.
+// Equal transforms have equal hashes, because adding zero makes a negative zero positive.
 std::uint64_t hash(std::uint32_t outer, const Transform& transform) {
   std::uint64_t h = outer;
   for (const double entry : transform.entry) {
@@ -79,7 +79,8 @@ bool Provenance::is_link(const Link& link, ChainId outer, const Transform& trans
   return true;
 }
 
-// Sets the linear parts of a link. A translation has none of its own, and the whole is that of the chain outside.
+// Sets the linear parts of a link. A translation has no linear part of its own, so the whole is that of the chain
+// outside.
 void Provenance::set_linear(Link& link, const Transform& transform, const ExactAffine& world_from_solid) {
   Turn turn;
   turn.error = transform.linear_error;
@@ -162,7 +163,7 @@ FormError Provenance::error(Source source, const RegionForm& form, const Region&
     const Link& link = links_[id];
     const Turn& turn = turns_[link.turn];
     const LocalRegion inside = local(link, region);
-    // `off` is how far the errors of this transform's own numbers may put the points that it moves.
+    // `off` bounds how far the errors of this transform's own numbers move the points that it maps.
     std::array<LinearForm, 3> off{};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {

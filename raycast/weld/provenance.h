@@ -14,11 +14,12 @@
 
 namespace csgcast::detail {
 
-/// Where the forms of leaves come from: the solid that each leaf was made from, and the chain of transforms that moved
-/// it. From that follows how far a surface may be off what was meant, if every given number is known to half an ulp.
+/// Knows where the forms of leaves come from: the solid that each leaf was made from, and the chain of transforms that
+/// moved it. From these follows how far a surface may be from what was meant, if every given number is known to half an
+/// ulp.
 class Provenance {
  public:
-  /// A chain of transforms, the innermost at the end. Equal chains have one id. 0 is the empty chain.
+  /// A chain of transforms, the innermost at the end. Equal chains have the same id. 0 is the empty chain.
   using ChainId = std::uint32_t;
   /// One form of one leaf.
   struct Source {
@@ -38,12 +39,12 @@ class Provenance {
   const Place& place(Source source) const { return leaves_[source.leaf].solid.place(); }
   const Box& box(Source source) const { return leaves_[source.leaf].box; }
   ChainId chain_of(Source source) const { return leaves_[source.leaf].chain; }
-  /// The longest chain that two chains have in common from the outside. Its errors move both surfaces alike. `steps` is
-  /// increased by the work it took.
+  /// The longest outer part that two chains have in common. Its errors move both surfaces alike. `steps` is increased
+  /// by the work done.
   ChainId common(ChainId a, ChainId b, std::uint64_t& steps) const;
 
-  /// How far the source's surface may be off what was meant. `form` is its form in the region. The chain `known`, an
-  /// outer part of the source's own chain, counts as exact.
+  /// A bound on the difference between the source's surface and what was meant. `form` is its form in the region. The
+  /// chain `known`, an outer part of the source's own chain, counts as exact.
   FormError error(Source source, const RegionForm& form, const Region& region, ChainId known) const;
 
  private:
@@ -54,13 +55,13 @@ class Provenance {
     Matrix entry = identity;
     double error = 0;
   };
-  // The linear part of a whole chain and its inverse, in plain double: errors need not be exact.
+  // The linear part of a whole chain and its inverse. Plain double is enough, because errors need not be exact.
   struct Linear {
     Matrix forward = identity;
     Matrix inverse = identity;
   };
-  // A large scene has as many chains as leaves, and most of them end with a translation. A translation changes no
-  // linear part, so linear parts are kept aside and links are small.
+  // A large scene has as many chains as leaves, and most chains end with a translation. A translation changes no linear
+  // part. So linear parts are stored separately, and links are small.
   struct Link {
     ChainId outer = 0;
     std::uint32_t depth = 0;
@@ -87,7 +88,7 @@ class Provenance {
                         const LocalRegion& local) const;
 
   std::vector<Turn> turns_;      // the first is the identity
-  std::vector<Linear> linears_;  // likewise
+  std::vector<Linear> linears_;  // the first is the identity
   std::vector<Link> links_;      // the first is the empty chain
   HashIndex by_transform_;       // all other links, by their outer chain and their own transform
   std::vector<LeafSource> leaves_;

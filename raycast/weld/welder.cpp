@@ -14,8 +14,8 @@ namespace {
 
 // Errors are computed in double, with errors of their own. A pair that is off by a little more still counts.
 constexpr double border = 1 + 0x1p-30;
-// A surface is compared with at most so many others of its cluster, by at most so many of its chains of transforms. On
-// average each may cost so many comparisons, beside those that any scene may take.
+// A surface is compared with at most this many others of its cluster, by at most this many of its chains of transforms.
+// In addition to the comparisons that any scene may take, each surface may cost this many comparisons on average.
 constexpr std::size_t most_compared = 16;
 constexpr std::size_t most_chains = 16;
 constexpr std::uint64_t most_work_each = 40;
@@ -53,7 +53,7 @@ bool Welder::precedes(const Surface& a, const Surface& b) {
                                       b.form.coefficient.end());
 }
 
-// If the scene has no size, rounding can be judged about any center.
+// If the scene has no size, any center will do to judge the rounding.
 Welder::Welder(const Provenance& provenance, const Welding& welding, const Box& everything)
     : provenance_(provenance),
       welding_(welding),
@@ -62,7 +62,7 @@ Welder::Welder(const Provenance& provenance, const Welding& welding, const Box& 
       region_(Region::around(everything_)),
       tolerance_(has_size_ ? welding.tolerance * length(everything.size()) : 0) {}
 
-// The error of the source that is known worst. Surfaces that may coincide are looked for by that.
+// The error of the least accurately known source. It is used to look for surfaces that may coincide.
 FormError Welder::worst_known(const Candidate& candidate, const RegionForm& form) const {
   FormError worst{};
   double most = -1;
@@ -75,8 +75,8 @@ FormError Welder::worst_known(const Candidate& candidate, const RegionForm& form
   return worst;
 }
 
-// For each chain of transforms the source that is known best, and of these the best ones. Two surfaces are different if
-// any of these tells them apart.
+// For each chain of transforms this finds the most accurately known source, and of these the best ones. Two surfaces
+// are different if any of these sources tells them apart.
 std::vector<Provenance::Source> Welder::best_known(const Candidate& candidate, const RegionForm& form) const {
   std::map<Provenance::ChainId, std::pair<double, Provenance::Source>> best;
   for (const Provenance::Source source : candidate.sources) {
@@ -124,8 +124,8 @@ Grouping::Groups Welder::groups_by_rounding() {
   return near_.groups();
 }
 
-// The leaves with those surfaces of theirs that are left. `one_source` gets one source of each leaf, which tells the
-// leaf's statement.
+// The leaves with those of their surfaces that are left. `one_source` gets one source of each leaf, from which the
+// leaf's statement is known.
 std::vector<LeafFaces> Welder::faces(std::span<const Replacement> replacements,
                                      std::vector<Provenance::Source>& one_source) const {
   constexpr std::uint32_t none = 0xffffffffu;
@@ -162,7 +162,7 @@ Grouping::Groups Welder::groups_by_hand(std::span<const Replacement> replacement
   return grouping.groups([replacements](std::uint32_t i) { return replacements[i].surface == i; });
 }
 
-// The distance of two surfaces, in errors or in tolerances. At most 1 means that they can be one surface.
+// The distance of two surfaces, in errors or in tolerances. If it is at most 1, they can be one surface.
 double Welder::distance(const Member& a, const Member& b, const Region& region) {
   ++work_;
   const Surface& f = *a.surface;
@@ -193,7 +193,7 @@ std::vector<Replacement> Welder::run(std::span<const Candidate> candidates, Weld
     work_ = 0;
     weld_groups(groups_by_hand(replacements, report), replacements, report);
   }
-  // A surface that took others in may then have been taken in itself, by hand.
+  // A surface that took others in may later have been taken in itself, when welding by hand.
   for (Replacement& replacement : replacements) {
     const Replacement& next = replacements[replacement.surface];
     replacement = {next.surface, replacement.flipped != next.flipped};
@@ -237,7 +237,8 @@ void Welder::weld_group(std::span<const std::uint32_t> numbers, std::vector<Repl
   }
 }
 
-// The leader takes members in, nearest first. Each must be able to coincide with those taken in before it, too.
+// The leader takes members in, nearest first. A member must also be able to coincide with all members taken in before
+// it.
 void Welder::gather(const Member& leader, const Region& region, std::vector<Member> members,
                     std::vector<Replacement>& replacements, WeldReport& report) {
   std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) {
@@ -260,7 +261,7 @@ void Welder::list_near_misses(std::span<const Replacement> replacements, WeldRep
   const std::vector<RegionForm> forms = region_forms();
   std::vector<Provenance::Source> one_source;
   const std::vector<LeafFaces> leaves = faces(replacements, one_source);
-  // Two faces of one leaf are no near miss: the leaf was made like that.
+  // Two faces of one leaf are not a near miss, because the leaf was made like that.
   std::map<std::pair<std::uint32_t, std::uint32_t>, NearMiss> nearest;
   const auto note = [&](const NearFaces::Pair& pair) {
     if (pair.leaf_of_a == pair.leaf_of_b || pair.gap <= tolerance_) return true;
@@ -278,7 +279,7 @@ void Welder::list_near_misses(std::span<const Replacement> replacements, WeldRep
   std::stable_sort(found.begin(), found.end(), [](const NearMiss& a, const NearMiss& b) { return a.gap < b.gap; });
   report.near_miss_count = found.size();
   // The suggested tolerance would weld the near misses up to the last wide jump of their gaps. The limit of near misses
-  // counts as the gap after the widest one.
+  // serves as the gap after the widest one.
   double next = greatest_near_miss * report.size;
   for (std::size_t i = found.size(); i-- > 0 && report.suggested_tolerance == 0; next = found[i].gap) {
     if (next > wide_jump * found[i].gap) report.suggested_tolerance = 1.25 * found[i].gap / report.size;

@@ -15,15 +15,15 @@
 
 namespace csgcast::detail {
 
-/// What a surface becomes: another one, or itself.
+/// The surface that another one is replaced by. A surface may stay itself.
 struct Replacement {
   std::uint32_t surface;
-  bool flipped = false;  ///< its canonical form has the other sign
+  bool flipped = false;  ///< true if its canonical form has the other sign
 };
 
-/// Welds the surfaces of one scene. Of surfaces that nearly coincide the one with the simplest form takes the others
-/// in, and each moves at most as far as the numbers behind it are uncertain. The result depends on the forms and where
-/// they come from, not on their order.
+/// Welds the surfaces of one scene. If several surfaces nearly coincide, the one with the simplest form takes the
+/// others in. Each moves at most as far as the numbers behind it are uncertain. The result depends on the forms and
+/// where they come from, not on their order.
 class Welder {
  public:
   /// A surface and the leaves that own it.
@@ -32,7 +32,7 @@ class Welder {
     std::span<const Provenance::Source> sources;
   };
 
-  /// `everything` holds all bounded leaves. A box that is not finite means that the scene has no size.
+  /// `everything` holds all bounded leaves. If the box is not finite, the scene has no size.
   Welder(const Provenance& provenance, const Welding& welding, const Box& everything);
 
   /// Returns one replacement for each surface, and adds to the report.
@@ -43,9 +43,10 @@ class Welder {
   struct Surface {
     std::uint32_t number = 0;
     QuadricForm form;
-    std::vector<Provenance::Source> sources;  // of each chain of transforms the one known best, and of these the best
-    Box box;                                  // holds the bounded leaves that own it; if that is not finite, everything
-    std::size_t bits = 0;                     // of all coefficients: fewer make a simpler form
+    std::vector<Provenance::Source>
+        sources;           // for each chain of transforms the most accurately known one, and of these the best
+    Box box;               // holds the bounded leaves that own the surface; holds everything if that is not finite
+    std::size_t bits = 0;  // bits of all coefficients; fewer bits make a simpler form
   };
   // A surface of a group in the coordinates of a region, while it is compared.
   struct Member {
@@ -75,7 +76,7 @@ class Welder {
   bool has_size_;
   Box everything_;
   Region region_;
-  bool by_hand_ = false;  // distance() measures in tolerances now, not in errors
+  bool by_hand_ = false;  // true if distance() measures in tolerances now, not in errors
   double tolerance_ = 0;  // the tolerance of welding by hand, in the scene's unit of length
   std::span<const Candidate> candidates_;
   NearPairs near_;

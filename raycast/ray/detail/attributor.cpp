@@ -6,11 +6,12 @@
 namespace csgcast::detail {
 namespace {
 
-// Out of the solid: towards the side of the surface that the ray is on where it is outside.
+// The normal points out of the solid: to the side of the surface on which the ray is while it is outside.
 Normal outward_normal(const Surface& surface, const Frame& frame, Point place, const Ray& ray, const Hit& hit,
                       bool outside_is_positive) {
   const Vector slope = normalised(gradient(surface, frame, place));
-  // At an apex every direction is square to the surface; the ray's own is the one that is seen.
+  // At an apex every direction is square to the surface. The ray's own direction is used, because a viewer sees that
+  // one.
   if (slope == Vector{}) {
     const Vector d = normalised(ray.direction());
     return as_normal(hit.passage == Passage::entry ? -d : d);

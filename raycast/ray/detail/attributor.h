@@ -15,9 +15,11 @@ class Attributor {
   Attributor(const Scene& scene, LineCache& cache, Neighbourhood& neighbourhood)
       : scene_(scene), cache_(cache), neighbourhood_(neighbourhood) {}
 
-  /// What Caster::attribute answers: the hit as a boundary crossing of a node. Throws Error(usage) if it is none.
+  /// Implements Caster::attribute: describes the hit as a boundary crossing of a node. Throws Error(usage) if the node
+  /// has no boundary there.
   Attribution attribute(NodeId node, const Hit& hit);
-  /// What Caster::look_inside answers: the look of what is inside the node next to the hit; not valid if there is none.
+  /// Implements Caster::look_inside: the look of what is inside the node next to the hit. It is not valid if there is
+  /// none.
   LookId look_inside(NodeId node, const Hit& hit);
 
  private:

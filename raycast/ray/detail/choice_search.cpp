@@ -65,7 +65,8 @@ Truth ChoiceSearch::evaluate(LocalTree& tree) {
   return tree.evaluate(leaf_truth_);
 }
 
-// A surface without a choice, of a leaf that is not decided. Precondition: the tree is not decided.
+// Finds a surface that has no choice yet and belongs to a leaf that is not decided. Precondition: the tree is not
+// decided.
 std::uint32_t ChoiceSearch::next_choice() const {
   std::uint32_t next = 0;
   for (const Position& position : positions_) {
@@ -74,7 +75,8 @@ std::uint32_t ChoiceSearch::next_choice() const {
   return next;
 }
 
-// Goes back to the last choice that was negative only, and makes it positive; false if there is none.
+// Goes back to the last choice for which only the negative sign was tried, and makes it positive. False if there is
+// none.
 bool ChoiceSearch::turn_last_choice() {
   while (!order_.empty() && chosen_[order_.back()] == 1) {
     chosen_[order_.back()] = 0;

@@ -11,21 +11,21 @@
 
 namespace csgcast::detail {
 
-/// Decides a tree at a point that lies on some of its surfaces. Next to the point each of these may be on either side:
-/// the search branches on them one by one, and stops as soon as the choices made decide the tree.
+/// Decides a tree at a point that lies on some of its surfaces. Close to the point there are places on either side of
+/// each of these surfaces. The search branches on them one by one, and stops as soon as the choices decide the tree.
 class ChoiceSearch {
  public:
   /// Forgets all half-spaces.
   void clear();
   /// Adds a half-space of the leaf with that slot; `sign` is the sign of its surface at the point: -1, 0 or 1.
   void add(std::uint32_t slot, const HalfSpace& half_space, int sign);
-  /// Says that the half-spaces of the leaf with that slot are no conjunction. Precondition: they were added last.
+  /// Says that the leaf with that slot is not a conjunction of its half-spaces. Precondition: they were added last.
   void set_function(std::uint32_t slot, const LeafFunction& function, std::size_t half_spaces);
-  /// Inside or outside if every choice of signs gives that. Precondition: all half-spaces of the tree's leaves have
+  /// The location, if it is the same for every choice of signs. Precondition: all half-spaces of the tree's leaves have
   /// been added.
   ///
-  /// Tries 4096 steps. Where these are not enough, as with hundreds of facets through one point, the answer is the safe
-  /// one: boundary.
+  /// The search takes at most 4096 steps. If these are not enough, for example with hundreds of facets through one
+  /// point, the answer is the safe one: boundary.
   Location run(LocalTree& tree);
 
  private:
@@ -34,10 +34,10 @@ class ChoiceSearch {
     std::uint32_t slot;
     bool wants_positive;
     int sign;
-    std::uint32_t choice;  // if the sign is zero: where its surface stands in surfaces_
+    std::uint32_t choice;  // if the sign is zero: the index of its surface in surfaces_
   };
 
-  // A leaf that is no conjunction, and its positions.
+  // A leaf that is not a conjunction, and the range of its positions.
   struct FunctionLeaf {
     std::uint32_t slot;
     const LeafFunction* function;
@@ -53,11 +53,11 @@ class ChoiceSearch {
 
   std::vector<Position> positions_;
   std::vector<FunctionLeaf> functions_;
-  std::vector<Truth> holds_;          // what a leaf's function is asked with
-  std::vector<SurfaceId> surfaces_;   // those that the point lies on
-  std::vector<int> chosen_;           // the sign chosen for each of them; 0: none yet
+  std::vector<Truth> holds_;          // the arguments for a leaf's function
+  std::vector<SurfaceId> surfaces_;   // the surfaces that the point lies on
+  std::vector<int> chosen_;           // the sign chosen for each of these surfaces; 0 if none is chosen yet
   std::vector<std::uint32_t> order_;  // the choices made, in order
-  std::vector<Truth> leaf_truth_;     // by slot, under these choices
+  std::vector<Truth> leaf_truth_;     // by slot, under the present choices
 };
 
 }  // namespace csgcast::detail

@@ -55,7 +55,7 @@ bool Evaluator::may_meet_box(const Box& box, Span& reach) const {
   return may_meet({box.lower - more, box.upper + more}, cache_.ray(), reach);
 }
 
-// Opens a node. A node without children, or whose box the ray misses within the span, delivers its list at once.
+// Opens a node. If the node has no children, or the ray misses its box within the span, its list is delivered at once.
 void Evaluator::enter(NodeId id, Span span, Want want) {
   const Node& node = scene_.node(id);
   if (node.op == Node::Op::empty) {

@@ -11,24 +11,26 @@
 
 namespace csgcast::detail {
 
-/// How much of the list is wanted.
+/// The part of the list that the caller wants.
 enum class Want : std::uint8_t {
   all,    ///< every interval in the span
-  first,  ///< right up to the first entry after the span's start, and so right about the start; arbitrary beyond
-  any,    ///< at least one interval that has an inside in the span, if there is one
+  first,  ///< correct up to the first entry after the span's start, and so correct about the start; arbitrary beyond
+  any,    ///< if some interval has an inside in the span, at least one such interval
 };
 
 /// The definition of the engine: interval lists of leaves, merged bottom-up by union, intersection and difference.
 ///
-/// What cannot matter is not evaluated: nodes whose box the ray misses within the span, the right side of a difference
-/// whose left is empty, the rest of an intersection once it is empty, children beyond the extent of what they are
-/// combined with. The walk keeps a stack of its own and does not recurse: trees may be a million deep.
+/// Parts that cannot matter are not evaluated. These are nodes whose box the ray misses within the span, the right side
+/// of a difference whose left side is empty, the rest of an intersection once it is empty, and children beyond the
+/// extent of what they are combined with.
+///
+/// The walk keeps a stack of its own and does not recurse, because trees may be a million deep.
 class Evaluator {
  public:
   Evaluator(const Scene& scene, LineCache& cache);
 
-  /// The list of a node along the cache's ray, right within the span and unclipped; valid until the next call. Where
-  /// several surfaces tie at an end, the crossing told may be that of any of them.
+  /// The list of a node along the cache's ray. It is correct within the span, unclipped, and valid until the next call.
+  /// If several surfaces tie at an end, the reported crossing may be that of any of them.
   const IntervalList& evaluate(NodeId node, Span span, Want want);
   /// The same list, clipped to the span. `list` is overwritten.
   void evaluate_clipped(NodeId node, Span span, Want want, IntervalList& list);

@@ -43,7 +43,8 @@ Crossing LineCache::reported(const Crossing& crossing) {
 
 Point LineCache::point(const Crossing& crossing) {
   CSGCAST_PRECONDITION(crossing.surface.valid());
-  // Without a bounded leaf the frame is the world's own, whose center is no nearer to the place than the ray's start.
+  // Without a bounded leaf the frame is the world's own. Its center is then no nearer to the place than the ray's
+  // start.
   if (!scene_.bounded_leaves().is_finite()) return line_.ray.at(crossing.t);
   const LineFrame& line = line_.in_frame;
   const double tau = found(crossing.surface).tau(crossing.root);

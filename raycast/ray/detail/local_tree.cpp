@@ -28,7 +28,7 @@ void LocalTree::add_leaf(LeafId leaf) {
   leaves_.push_back(leaf);
 }
 
-// Closes the node on top of the stack: all its children are entries by now, and its own entry takes them.
+// Closes the node on top of the stack. All its children have entries by now, and the node's own entry takes them.
 void LocalTree::close() {
   const OpenNode top = open_nodes_.back();
   open_nodes_.pop_back();
@@ -41,7 +41,7 @@ void LocalTree::close() {
   add(entry);
 }
 
-// The truth of an entry that is no leaf, from its children's.
+// The truth of an entry that is not a leaf, computed from its children's.
 Truth LocalTree::value_of(const Entry& entry) const {
   const auto children = std::span(children_).subspan(entry.first, entry.count);
   switch (entry.op) {
@@ -100,7 +100,7 @@ LeafId LocalTree::first_holding_leaf() {
     if (!active_[i]) continue;
     const Entry& entry = entries_[i];
     if (entry.op == Node::Op::leaf) first = std::min(first, leaves_[entry.first]);
-    // In a difference only the first child holds anything, in a complement none does.
+    // In a difference only the first child can hold the place. In a complement no child can.
     std::uint32_t holding = 0;
     if (entry.op == Node::Op::unite || entry.op == Node::Op::intersect) holding = entry.count;
     if (entry.op == Node::Op::subtract) holding = 1;

@@ -16,12 +16,12 @@ Neighbourhood::Neighbourhood(const Scene& scene, LineCache& cache) : scene_(scen
 void Neighbourhood::move_to(NodeId node, const Crossing& crossing) {
   crossing_ = crossing;
   look_around(node, {cache_.earliest(crossing), cache_.latest(crossing)});
-  // The surface that a ray departs from passes through the start by definition. A ray that goes nearly along it may
-  // then have a crossing beyond the box of its leaf, and boxes tell nothing.
+  // The surface that a ray departs from passes through the start by definition. A ray that goes nearly along that
+  // surface may then have a crossing outside the box of its leaf, so boxes cannot be used.
   if (group_.empty()) look_around(node, Span::line());
 }
 
-// Takes the leaves whose boxes the ray meets within the span; all leaves if the span is the whole line.
+// Takes the leaves whose boxes the ray meets within the span. If the span is the whole line, it takes all leaves.
 void Neighbourhood::look_around(NodeId node, Span at) {
   const bool everywhere = std::isinf(at.from) && std::isinf(at.to);
   tree_.build(scene_, node, [&](const Box& box) {
@@ -100,7 +100,7 @@ bool Neighbourhood::set_base(const Base& base) {
   return tree_.evaluate(leaf_truth_) == Truth::yes;
 }
 
-// Flips half-spaces in the present state. Returns the node's value then. Positions of one leaf stand together.
+// Flips half-spaces in the present state and returns the node's new value. Positions of one leaf must stand together.
 bool Neighbourhood::flip(std::span<const std::uint32_t> positions) {
   for (const std::uint32_t i : positions) positions_[i].flipped = !positions_[i].flipped;
   Truth value = Truth::no;
@@ -108,7 +108,7 @@ bool Neighbourhood::flip(std::span<const std::uint32_t> positions) {
   return value == Truth::yes;
 }
 
-// Chooses the lowest surface whose flip alone, before or after, changes the result. False if there is none.
+// Chooses the lowest surface whose flip alone changes the result, in the state before or after. False if there is none.
 bool Neighbourhood::chosen_by_single_flip() {
   for (const Side side : {before, after}) {
     const bool start = set_base({side, 0});
@@ -143,7 +143,7 @@ void Neighbourhood::chosen_by_walk() {
 void Neighbourhood::choose_surface() {
   if (chosen_ != not_in_group || group_.empty()) return;
   if (group_.size() == 1) {
-    // Flipping the only surface leads from one side to the other.
+    // If there is only one surface, flipping it leads from one side to the other.
     chosen_ = 0;
     bases_ = {{before, 0}, {after, 0}};
     return;
@@ -158,8 +158,8 @@ Crossing Neighbourhood::bounding_crossing() {
   return chosen_ == not_in_group ? crossing_ : group_[chosen_];
 }
 
-// The slot of the first leaf that changes the result if its copy of the chosen surface alone is flipped, in a base
-// state on that side.
+// The slot of the first leaf for which this is true: if its copy of the chosen surface alone is flipped, in a base
+// state on that side, the result changes.
 std::optional<std::uint32_t> Neighbourhood::first_single_copy(Side side) {
   for (const Base& base : bases_) {
     if (base.side != side) continue;
@@ -173,9 +173,9 @@ std::optional<std::uint32_t> Neighbourhood::first_single_copy(Side side) {
   return std::nullopt;
 }
 
-// The slot of the leaf whose face it is, of those that own the chosen surface. Single copies are flipped in the state
-// inside the solid, then in the state outside. If none of them changes the result, one copy after the other is flipped.
-// LeafIds ascend in file order.
+// The slot of the leaf that the face belongs to, among those that own the chosen surface. Single copies are flipped in
+// the state inside the solid first, then in the state outside. If none of them changes the result, one copy after the
+// other is flipped. LeafIds ascend in file order.
 std::uint32_t Neighbourhood::owner_by_copies() {
   const std::span<const std::uint32_t> owned = positions_of(chosen_);
   owner_start_.clear();
@@ -199,7 +199,7 @@ std::uint32_t Neighbourhood::owner_by_copies() {
 
 LeafId Neighbourhood::bounding_leaf() {
   choose_surface();
-  // Without a group no leaf near the crossing owns the surface: it is no crossing of this node.
+  // If the group is empty, no leaf near the crossing owns the surface, so it is no crossing of this node.
   return chosen_ == not_in_group ? LeafId() : tree_.leaves()[owner_by_copies()];
 }
 

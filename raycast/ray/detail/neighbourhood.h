@@ -13,22 +13,23 @@
 
 namespace csgcast::detail {
 
-/// The state of a node's tree right before and right after one crossing of a ray. Where several surfaces tie there it
-/// decides which of them bounds the solid, and which leaf the face belongs to (docs/answer.md, "Whose face it is").
+/// The state of a node's tree right before and right after one crossing of a ray. If several surfaces tie at the
+/// crossing, this class decides which of them bounds the solid and which leaf the face belongs to (docs/answer.md,
+/// "Whose face it is").
 class Neighbourhood {
  public:
   Neighbourhood(const Scene& scene, LineCache& cache);
 
-  /// Turns to a crossing of the cache's present ray, one at which the ray should enter or leave the node.
+  /// Turns to a crossing of the cache's present ray. The ray should enter or leave the node there.
   void move_to(NodeId node, const Crossing& crossing);
   /// The crossing of the surface that bounds the node there, by the tie rule. If no leaf of the node owns a surface
-  /// that ties with the crossing, the crossing itself.
+  /// that ties with the crossing, the crossing itself is returned.
   Crossing bounding_crossing();
-  /// The leaf whose face is there, by the same rule among the leaves that own the bounding surface. Not valid if the
-  /// crossing is none of this node.
+  /// The leaf whose face is there, by the same rule among the leaves that own the bounding surface. It is not valid if
+  /// the node has no boundary at the crossing.
   LeafId bounding_leaf();
-  /// The first leaf in file order, of those that nothing subtracts, that holds the place right after an entry or right
-  /// before an exit. Not valid if there is none.
+  /// The first leaf in file order that holds the place right after an entry or right before an exit, among the leaves
+  /// that nothing subtracts. It is not valid if there is none.
   LeafId holding_leaf(Passage passage);
 
  private:
@@ -38,13 +39,13 @@ class Neighbourhood {
   // One half-space of one leaf near the crossing.
   struct Position {
     SurfaceId surface;
-    std::uint32_t slot;   // of the leaf
+    std::uint32_t slot;   // the leaf's slot
     std::uint32_t group;  // index into group_ if its surface ties with the crossing, else not_in_group
-    std::uint8_t root;    // which of the surface's crossings ties
-    bool holds[2];        // by Side: it holds the ray there
-    bool flipped;         // the present state takes the opposite of that
+    std::uint8_t root;    // the number of the surface's crossing that ties
+    bool holds[2];        // by Side: true if the half-space holds the ray there
+    bool flipped;         // true if the present state takes the opposite of `holds`
   };
-  // A state in which surfaces are flipped one by one: that on one side, with some surfaces flipped already.
+  // A state in which surfaces are flipped one by one. It is the state on one side, with some surfaces flipped already.
   struct Base {
     Side side;
     std::uint32_t flipped_groups;  // the groups with an index below this one are flipped
@@ -76,15 +77,15 @@ class Neighbourhood {
   Crossing crossing_;
   Side side_ = before;                      // the side of the present state
   std::vector<Position> positions_;         // by slot, ascending
-  std::vector<std::uint32_t> leaf_start_;   // where each slot's positions start, and the end
+  std::vector<std::uint32_t> leaf_start_;   // by slot: where its positions start, and the end
   std::vector<Crossing> group_;             // the crossings that tie, ascending by surface
   std::vector<std::uint32_t> by_group_;     // positions that tie, by group, then by leaf in file order
-  std::vector<std::uint32_t> group_start_;  // where each group's positions start in by_group_, and the end
-  std::vector<std::uint32_t> owner_start_;  // the same for the leaves that own the chosen surface
+  std::vector<std::uint32_t> group_start_;  // by group: where its positions start in by_group_, and the end
+  std::vector<std::uint32_t> owner_start_;  // the same for each leaf that owns the chosen surface
   std::vector<Truth> leaf_truth_;
-  std::vector<Truth> holds_;             // what a leaf's function is asked with
+  std::vector<Truth> holds_;             // the arguments for a leaf's function
   std::uint32_t chosen_ = not_in_group;  // the bounding surface, an index into group_, once it is chosen
-  std::vector<Base> bases_;              // the states in which flipping the chosen surface changes the result
+  std::vector<Base> bases_;              // the states in which a flip of the chosen surface changes the result
 };
 
 }  // namespace csgcast::detail

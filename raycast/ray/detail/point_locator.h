@@ -8,16 +8,16 @@
 
 namespace csgcast::detail {
 
-/// Tells where points are: inside, outside or on the boundary of a scene's nodes. Looks at the exact signs of the
-/// surfaces near a point; those that are zero there may be on either side.
+/// Tells where points are: inside, outside or on the boundary of a scene's nodes. It uses the exact signs of the
+/// surfaces near a point. Where a sign is zero, both sides are considered.
 class PointLocator {
  public:
   /// The scene must outlive it.
   explicit PointLocator(const Scene& scene) : scene_(scene) {}
 
-  /// Never falsely inside or outside. Throws Error(bad_value) for a point that is not finite.
+  /// The answer is never falsely inside or outside. Throws Error(bad_value) for a point that is not finite.
   Location locate(NodeId node, Point p);
-  /// The first part in file order that holds the point inside; not valid if there is none.
+  /// The first part in file order that has the point inside. It is not valid if there is none.
   PartId part_at(Point p);
 
  private:

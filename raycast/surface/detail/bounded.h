@@ -3,18 +3,18 @@
 
 #include <cmath>
 
-// What the first rung of the ladder, double with a running error bound, shares between kinds. The constants are counted
-// roundings; docs/accuracy.md has the derivation.
+// The first rung of the ladder is double with a running error bound. This is what the kinds share for it. The constants
+// are counted roundings; docs/accuracy.md has the derivation.
 
 namespace csgcast::detail {
 
 /// The relative error of one rounding.
 constexpr double unit_roundoff = 0x1p-53;
-/// Computed error bounds are sums of a few positive terms, rounded themselves: by less than this share.
+/// Computed error bounds are sums of a few positive terms. Their own rounding is less than this share.
 constexpr double rounding_of_bounds = 1 + 0x1p-40;
-/// From anywhere on the line near its closest approach, the frame's unit cube is within |s| <= reach: the approach to a
-/// center in the cube is at most as far from a point of the cube as the cube's diagonal, 2 sqrt(3), and |direction|
-/// >= 1.
+/// From any point of the line near its closest approach, the frame's unit cube is within |s| <= reach. Reason: the
+/// closest approach to a center in the cube is no farther from a point of the cube than the cube's diagonal, 2 sqrt(3),
+/// and |direction| >= 1.
 constexpr double reach = 4;
 
 struct Bounded {

@@ -15,7 +15,7 @@ namespace {
 
 using Form = QuadricForm;
 
-// floor(sqrt(value)) in units that leave at least `bits` significant bits.
+// Computes floor(sqrt(value)) in units that leave at least `bits` significant bits.
 Dyadic square_root(const Dyadic& value, std::int64_t bits) {
   if (value.is_zero()) return {};
   std::int64_t shift = 2 * bits - static_cast<std::int64_t>(value.bits());
@@ -25,7 +25,7 @@ Dyadic square_root(const Dyadic& value, std::int64_t bits) {
   return {sqrt(scaled), (value.exponent() - shift) / 2};
 }
 
-// a / b cut off after at least `bits` bits.
+// Computes a / b, cut off after at least `bits` bits.
 Dyadic quotient(const Dyadic& a, const Dyadic& b, std::int64_t bits) {
   if (a.is_zero()) return {};
   const std::int64_t wanted = bits + static_cast<std::int64_t>(b.bits()) - static_cast<std::int64_t>(a.bits());
@@ -36,18 +36,18 @@ Dyadic quotient(const Dyadic& a, const Dyadic& b, std::int64_t bits) {
 
 constexpr std::int64_t approximation_bits = 128;
 
-// The root to a relative 2^-120: p and the square root may cancel, so they are summed the other way round where they
-// would.
+// The root with a relative error of at most 2^-120. If the sum of p and the square root would cancel, the other formula
+// for the root is used.
 Dyadic approximate(const ExactRoot& root, const ExactPolynomial& f) {
   const Dyadic radical = square_root(root.d, approximation_bits + 8);
   const Dyadic signed_radical = root.s < 0 ? -radical : root.s == 0 ? Dyadic() : radical;
   if (root.s == 0 || root.p.sign() == 0 || root.p.sign() == root.s)
     return quotient(root.p + signed_radical, root.q, approximation_bits);
-  // (p + r)(p - r) = p² - d, and for the roots of a t² + b t + c that is 4 a c.
+  // (p + r)(p - r) = p² - d, which is 4 a c for the roots of a t² + b t + c.
   return quotient(Dyadic(2.0) * f.c, root.p - signed_radical, approximation_bits);
 }
 
-// tau of a t, rounded: the error is half an ulp of tau and what is cut off of t.
+// Sets tau for a given t, rounded. The error is half an ulp of tau, plus what was cut off of t.
 void set_tau(const Line& line, LineCrossings& found, unsigned index, const Dyadic& t) {
   const LineFrame& frame = line.in_frame;
   const Dyadic along = t.scaled(-std::int64_t{std::ilogb(frame.unit)});
@@ -118,9 +118,10 @@ LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& sur
   const ExactPolynomial& f = memory.polynomial(line, id, surface);
   LineCrossings found;
   if (id == line.departure) {
-    // f / t = b t + c: after the start f keeps the departure's side up to a crossing if that is not its side in the
-    // end. At a silhouette the crossing may come out before the start: then it is at the start.
-    // Where f is linear on the line, its slope alone tells the side; it has none where the line lies in a plane.
+    // Here f / t = b t + c. After the start f has the sign of the departure's side. If f has the other sign in the end,
+    // there is one crossing on the way. At a silhouette the crossing may come out before the start; then it is set to
+    // the start. Where f is linear on the line, its slope alone tells the side. It has no slope where the line lies in
+    // a plane.
     const bool positive = line.departure_side == Sense::positive;
     const bool is_linear = f.b.is_zero();
     found.positive_before = is_linear && !f.c.is_zero() ? f.c.sign() > 0 : positive;
@@ -150,7 +151,7 @@ ExactRoot exact_root(const Line& line, const CrossingView& crossing) {
   ExactMemory& memory = memory_of(line, scratch);
   const ExactPolynomial& f = memory.polynomial(line, crossing.id, *crossing.surface);
   if (crossing.id == line.departure && !(f.b.sign() * f.c.sign() < 0)) return ExactRoot(Dyadic());
-  // A crossing whose partner is out of reach is the only one that floating point tells of.
+  // If the partner of a crossing is out of reach, floating point knows this crossing only, so its number is found anew.
   unsigned root = crossing.root;
   if (crossing.found->count == 1 && !f.a.is_zero()) root = crossing.found->positive_before == (f.a.sign() > 0) ? 0 : 1;
   return memory.root(line, crossing.id, *crossing.surface, root);
@@ -161,11 +162,11 @@ double exact_nearest_t(const Line& line, const CrossingView& crossing) {
   const ExactPolynomial& f = memory_of(line, scratch).polynomial(line, crossing.id, *crossing.surface);
   const ExactRoot root = exact_root(line, crossing);
   const Dyadic t = approximate(root, f);
-  const Dyadic slack = t.scaled(-112);  // well above the 2^-120 that the approximation is off by
+  const Dyadic slack = t.scaled(-112);  // far above 2^-120, the error of the approximation
   const double low = (t - slack).nearest();
   const double high = (t + slack).nearest();
   if (low == high) return low;
-  // A point halfway between two doubles lies within the slack: the exact root is compared with it.
+  // If a point halfway between two doubles lies within the slack, the exact root is compared with it.
   const Dyadic halfway = (Dyadic(low) + Dyadic(high)).scaled(-1);
   const auto side = root <=> ExactRoot(halfway);
   if (side == 0) return halfway.nearest();

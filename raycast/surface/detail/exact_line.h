@@ -13,19 +13,19 @@
 
 namespace csgcast::detail {
 
-/// f(o + t d) = a t² + b t + c, exact up to a positive factor. Of the surface that a line departs from f(o) is 0 by
-/// definition, and the crossing at the start is divided out: a t + b, as 0 t² + a t + b.
+/// f(o + t d) = a t² + b t + c, exact up to a positive factor. If the line departs from this surface, f(o) is 0 by
+/// definition. The crossing at the start is then divided out, which leaves a t + b, stored as 0 t² + a t + b.
 struct ExactPolynomial {
   Dyadic a;
   Dyadic b;
   Dyadic c;
 
   ExactPolynomial(const Line& line, SurfaceId id, const Surface& surface);
-  /// Root 0 is the lower one; d < 0 if there are none. Precondition: the polynomial is not constant.
+  /// Root 0 is the lower one. If there are no roots, d < 0. Precondition: the polynomial is not constant.
   ExactRoot root(unsigned number) const { return ExactRoot::of(a, b, c, number); }
 };
 
-/// Polynomials and roots of one line, by surface.
+/// The polynomials and roots of one line, by surface.
 class ExactMemory {
  public:
   void forget() { known_.clear(); }
@@ -43,7 +43,7 @@ class ExactMemory {
   Known& known(const Line& line, SurfaceId id, const Surface& surface);
 
   std::deque<Known> known_;           // of the present line
-  std::vector<std::uint32_t> place_;  // by surface: where it is in known_, if it is there
+  std::vector<std::uint32_t> place_;  // by surface: its index in known_, if it is there
 };
 
 LineCrossings exact_crossings(const Line& line, SurfaceId id, const Surface& surface);

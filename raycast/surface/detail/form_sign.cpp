@@ -21,8 +21,9 @@ int form_sign_at(const Surface& surface, Point p) {
     sum += t;
     magnitude += std::fabs(t);
   }
-  // A coefficient's rounding, two products and nine additions: (1 + u)^12 - 1 < 13 u; 16 u also covers the rounding of
-  // the bound. Out of the middle of the exponents under- and overflow may have touched a term.
+  // Each term has the rounding of its coefficient, two products and nine additions: (1 + u)^12 - 1 < 13 u. The factor
+  // 16 u also covers the rounding of the bound. If the exponents are not in a middle range, a term may have overflowed
+  // or underflowed.
   if (surface.in_range && magnitude > 0x1p-900 && magnitude < 0x1p900 && std::fabs(sum) > 0x10p-53 * magnitude)
     return sum > 0 ? 1 : -1;
   return surface.exact.unpacked().at(p).sign();

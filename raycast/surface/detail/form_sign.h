@@ -5,7 +5,8 @@
 
 namespace csgcast::detail {
 
-/// The sign of a surface's form at a point: in double where its bound allows it, else exactly.
+/// The sign of a surface's form at a point. Double decides it where its error bound allows that, exact arithmetic
+/// elsewhere.
 int form_sign_at(const Surface& surface, Point p);
 
 }  // namespace csgcast::detail

@@ -5,14 +5,14 @@
 
 namespace csgcast::detail {
 
-/// No crossing: the whole line is on one side.
+/// The result without a crossing: the whole line is on one side.
 inline LineCrossings none(bool positive) {
   LineCrossings found;
   found.positive_before = positive;
   return found;
 }
 
-/// One crossing, its error still to be set.
+/// The result with one crossing. The caller still has to set its error.
 inline LineCrossings one(double tau, bool positive_before) {
   LineCrossings found = none(positive_before);
   found.few[0] = tau;

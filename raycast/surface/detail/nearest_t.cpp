@@ -19,7 +19,7 @@ constexpr double u = unit_roundoff;
 
 using Point2 = std::array<Twofold, 3>;
 
-// The point at tau, from the surface's center.
+// The point at tau, relative to the surface's center.
 Point2 point_at(const LineFrame& line, const Surface& surface, double tau) {
   Point2 q;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -29,7 +29,7 @@ Point2 point_at(const LineFrame& line, const Surface& surface, double tau) {
   return q;
 }
 
-// f(q); coefficients that are zero cost nothing.
+// Computes f(q). Coefficients that are zero cost nothing.
 Twofold value_at(const Surface& surface, const Point2& q) {
   const auto coefficient = [&](std::size_t i) { return Twofold{surface.local[i], surface.local_low[i]}; };
   Twofold sum = coefficient(Form::one);
@@ -55,8 +55,8 @@ double slope_at(const LineFrame& line, const Surface& surface, const Point2& q) 
   return dot(gradient, line.direction);
 }
 
-// shift + tau + step rounded, if every number within `error` of it rounds the same; then times the unit, which is
-// exact.
+// Rounds shift + tau + step, if every number within `error` of it rounds to the same double. The product with the unit
+// is exact.
 std::optional<double> rounded(const LineFrame& line, double tau, double step, double error) {
   const Twofold base = two_sum(line.shift, tau);
   const Twofold sum = two_sum(base.high, step);
@@ -82,17 +82,17 @@ std::optional<double> newton(const LineFrame& line, const CrossingView& crossing
   const double e = longest(line.direction);
   const double bend = surface.second_degree;
   const double steepness = 2 * bend * size + surface.first_degree;
-  // Two twofold sums and a product make q; up to ten products of three factors and ten sums make f, below 64 u² of the
-  // sum of magnitudes; taking the high part alone loses u of the value.
+  // q takes two twofold sums and a product. f takes up to ten products of three factors and ten sums, with an error
+  // below 64 u² of the sum of magnitudes. Using only the high part loses u of the value.
   const double off =
       line.near_low_error + 16 * u * u * (longest(line.near) + longest(surface.center) + std::fabs(tau) * e);
   const double value_error =
       64 * u * u * ((bend * size + surface.first_degree) * size + surface.constant) + steepness * off;
-  // Relative errors of the slope and of the division, and the curvature that one Newton step leaves out.
+  // These are the relative errors of the slope and of the division, and the curvature that one Newton step leaves out.
   const double slope_error = 8 * u * steepness * e;
   if (!(4 * slope_error < std::fabs(slope))) return std::nullopt;
-  // A quadratic rises at one of its roots and falls at the other. A step that is short beside the bend leads to the one
-  // that goes as the slope does: where both are near each other that may be the wrong one.
+  // A quadratic rises at one of its roots and falls at the other. A step that is short compared with the bend leads to
+  // the root at which the form goes as the slope does. If the two roots are near each other, that may be the wrong one.
   const bool rises = !crossing.found->positive_after(crossing.root);
   const double most = std::fabs(value.high) + value_error;
   if ((slope > 0) != rises || !(8 * bend * e * e * most <= slope * slope)) return std::nullopt;
@@ -105,7 +105,7 @@ std::optional<double> newton(const LineFrame& line, const CrossingView& crossing
 }  // namespace
 
 std::optional<double> nearest_t(const Line& line, const CrossingView& crossing) {
-  // A departure's form is another one; there is no need for speed.
+  // The form is different for the surface of a departure, and speed does not matter there.
   if (crossing.id == line.departure || !crossing.surface->in_range || !line.in_frame.in_range) return std::nullopt;
   if (const std::optional<double> t = newton(line.in_frame, crossing)) return t;
   const std::optional<TwofoldRoot> root = crossing.surface->kind->twofold_root(line, crossing);

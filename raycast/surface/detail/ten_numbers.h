@@ -9,7 +9,7 @@
 
 namespace csgcast::detail {
 
-/// What planes and quadrics share in the table of kinds: the rungs that take a form's ten numbers, whichever it is.
+/// The part of the table of kinds that planes and quadrics share: the rungs that take a form's ten numbers.
 constexpr SurfaceKind kind_of_ten_numbers() {
   SurfaceKind kind;
   kind.exactly = exact_crossings;

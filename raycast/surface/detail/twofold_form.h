@@ -11,8 +11,8 @@
 #include "raycast/surface/detail/bounded.h"
 #include "raycast/surface/line_crossings.h"
 
-// What the second rung of the ladder, twofold arithmetic, shares between kinds that are given by a form of the second
-// degree. The bounds are derived in docs/accuracy.md.
+// The second rung of the ladder is twofold arithmetic. This is what kinds with a form of the second degree share for
+// it. The bounds are derived in docs/accuracy.md.
 
 namespace csgcast::detail {
 
@@ -29,8 +29,8 @@ struct TwofoldBounded {
 
 using TwofoldVector = std::array<Twofold, 3>;
 
-/// Whether this rung leaves everything open: the form is another one after a departure, and its numbers tell nothing
-/// out of their range.
+/// True if this rung decides nothing. After a departure the form is a different one, and numbers out of their range are
+/// useless.
 inline bool is_beyond_twofold(const Line& line, SurfaceId id, const Surface& surface) {
   return id == line.departure || !surface.in_range || !line.in_frame.in_range;
 }
@@ -51,7 +51,7 @@ inline TwofoldVector first_degree(const Surface& surface) {
           coefficient(surface, QuadricForm::z)};
 }
 
-/// `near` from the surface's center; off by near_low_error and a relative 3 u².
+/// `near` relative to the surface's center. It is off by near_low_error and a relative 3 u².
 inline TwofoldVector start_of(const LineFrame& line, const Surface& surface) {
   TwofoldVector start;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -59,7 +59,7 @@ inline TwofoldVector start_of(const LineFrame& line, const Surface& surface) {
   return start;
 }
 
-/// a / b, off by a relative 16 u² and by what its operands are off. Precondition: b is certain.
+/// Computes a / b. The result is off by a relative 16 u² and by the errors of its operands. Precondition: b is certain.
 inline TwofoldBounded quotient(const TwofoldBounded& a, const TwofoldBounded& b) {
   CSGCAST_PRECONDITION(b.is_certain());
   const double first = a.value.high / b.value.high;

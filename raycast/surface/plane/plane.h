@@ -10,12 +10,12 @@
 
 namespace csgcast::detail {
 
-/// Crossings in double with a bound on their error; nothing where the bound leaves open which exist.
+/// The crossings in double with a bound on their error. Returns nothing if the bound leaves open which crossings exist.
 std::optional<LineCrossings> filtered_plane(const Line& line, SurfaceId id, const Surface& plane);
-/// The same formulas without their bounds: sudden wrong answers at tangents, edges and coincidences.
+/// The same formulas without their bounds. Answers are suddenly wrong at tangents, edges and coincidences.
 LineCrossings uncertified_plane(const Line& line, SurfaceId id, const Surface& plane);
 
-// In twofold arithmetic; nothing of the surface that the line departs from.
+// The crossings in twofold arithmetic. Returns nothing for the surface that the line departs from.
 std::optional<LineCrossings> twofold_plane(const Line& line, SurfaceId id, const Surface& plane);
 std::optional<TwofoldRoot> twofold_plane_root(const Line& line, const CrossingView& crossing);
 

@@ -24,12 +24,12 @@ PlaneOnLine plane_on_line(const LineFrame& line, const Surface& plane) {
   return {dot(normal, line.near) + plane.local[Form::one], dot(normal, line.direction)};
 }
 
-// A coefficient, a product and two additions in each term.
+// Each term has a coefficient's rounding, a product and two additions.
 Bounded slope_of(const LineFrame& line, const Surface& plane) {
   return {plane_on_line(line, plane).slope, 5 * unit_roundoff * plane.first_degree * longest(line.direction)};
 }
 
-// Whether the line is parallel to the plane, exactly: then a factor of each product is zero.
+// True if the line is exactly parallel to the plane: then each product has a factor of zero.
 bool is_parallel(const LineFrame& line, const Surface& plane) {
   const auto vanishes = [&](Form::Term term, double d) { return plane.local[term] == 0 || d == 0; };
   const Vector d = line.direction;
@@ -63,7 +63,7 @@ std::optional<LineCrossings> crossings(const LineFrame& line, const Surface& pla
   return std::nullopt;
 }
 
-// The side of the plane that the ray departs from is the one that the slope tells.
+// After the start the ray is on the side of the plane that the slope tells.
 std::optional<LineCrossings> after_departure(const Line& line, const Surface& plane) {
   if (!plane.in_range || !line.in_frame.in_range) return std::nullopt;
   const Bounded slope = slope_of(line.in_frame, plane);

@@ -8,7 +8,7 @@ namespace {
 
 using Form = QuadricForm;
 
-// -v / s with v and s in twofold.
+// Computes -v / s, with v and s in twofold arithmetic.
 std::optional<TwofoldRoot> root_of(const LineFrame& line, const Surface& plane) {
   const TwofoldVector normal = first_degree(plane);
   const double e = longest(line.direction);

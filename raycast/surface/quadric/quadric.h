@@ -10,13 +10,13 @@
 
 namespace csgcast::detail {
 
-/// Crossings in double with a bound on their error; nothing where the bound leaves open which exist.
+/// The crossings in double with a bound on their error. Returns nothing if the bound leaves open which crossings exist.
 std::optional<LineCrossings> filtered_quadric(const Line& line, SurfaceId id, const Surface& quadric);
-/// The same formulas without their bounds: sudden wrong answers at tangents, edges and coincidences.  Source of the
-/// closest approach: Haines and Guenther 2019, Ray Tracing Gems, chapter 7, generalised.
+/// The same formulas without their bounds. Answers are suddenly wrong at tangents, edges and coincidences.  Source of
+/// the closest approach: Haines and Guenther 2019, Ray Tracing Gems, chapter 7, generalised.
 LineCrossings uncertified_quadric(const Line& line, SurfaceId id, const Surface& quadric);
 
-// In twofold arithmetic; nothing of the surface that the line departs from.
+// The crossings in twofold arithmetic. Returns nothing for the surface that the line departs from.
 std::optional<LineCrossings> twofold_quadric(const Line& line, SurfaceId id, const Surface& quadric);
 std::optional<TwofoldRoot> twofold_quadric_root(const Line& line, const CrossingView& crossing);
 

@@ -15,8 +15,8 @@ namespace {
 
 using Form = QuadricForm;
 
-// f = a s² + 2 b s + c with s = tau - origin, about the line's closest approach to the surface's center, where the
-// least cancels.
+// f = a s² + 2 b s + c with s = tau - origin, about the line's closest approach to the surface's center. There is least
+// cancellation there.
 struct QuadricOnLine {
   double a;
   double b;
@@ -58,14 +58,15 @@ struct Quadratic {
 Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
   const QuadricOnLine f = quadric_on_line(line, surface);
 
-  // q is off by the error of `near`, the rounding of the difference, of the product and of the sum: |origin d| <= 1.8
+  // q is off by the error of `near`, and by the rounding of the difference, the product and the sum. |origin d| <= 1.8
   // |start| on each axis.
   const double size = longest(f.q);
   const double e = longest(line.direction);
   const double off = (line.near_error + unit_roundoff * (3 * longest(f.start) + size)) * rounding_of_bounds;
   const double bend = surface.second_degree;
   const double slope = surface.first_degree;
-  // Seven roundings in a, eight in b, ten in c, each coefficient's own included; then what q's error does to b and c.
+  // There are seven roundings in a, eight in b and ten in c, including those of the coefficients. The error of q adds
+  // to b and c.
   const double error_a = 8 * unit_roundoff * bend * e * e;
   const double error_b = (9 * unit_roundoff * (bend * size + slope) + bend * off) * e;
   const double error_c = 11 * unit_roundoff * ((bend * size + slope) * size + surface.constant) +
@@ -76,28 +77,28 @@ Quadratic restrict_to_line(const LineFrame& line, const Surface& surface) {
           f.origin};
 }
 
-// What happens to a local surface within reach, if nothing does: |a| s² + 2 |b| s stays below |c|.
+// Handles a local surface without a crossing within reach: |a| s² + 2 |b| s stays below |c| there.
 std::optional<LineCrossings> none_within_reach(const LineFrame& line, const Quadratic& f, const Surface& surface) {
   const double most = (f.a.most() * reach + 2 * f.b.most()) * reach * rounding_of_bounds;
   if (!surface.is_local || !line.knows_cube || !(f.c.least() > most)) return std::nullopt;
   return none(f.c.value > 0);
 }
 
-// Two roots for certain: (-b ± root) / a.
+// The two roots (-b ± root) / a, if both certainly exist.
 std::optional<LineCrossings> two_roots(const LineFrame& line, const Quadratic& f, const Surface& surface,
                                        Bounded discriminant) {
   const double root = std::sqrt(discriminant.value);
   // |sqrt(D) - sqrt(D')| <= |D - D'| / sqrt(D) for D' >= 0.
   const double root_error = discriminant.error / root + unit_roundoff * root;
-  // The sum that does not cancel, and the other root from the product of both. The sign of a zero b, which lanes may
-  // compute otherwise, makes no difference.
+  // One sum does not cancel. The other root follows from the product of both. If b is zero, its sign makes no
+  // difference, and lanes may compute the sign differently.
   const double sum = f.b.value < 0 ? root - f.b.value : -(f.b.value + root);
   const double sum_error = (f.b.error + root_error + unit_roundoff * std::fabs(sum)) * rounding_of_bounds;
   if (!(2 * sum_error < std::fabs(sum))) return std::nullopt;
   const double at_near = f.c.value / sum;
   const double near_error =
       2 * (f.c.error + std::fabs(at_near) * sum_error) / std::fabs(sum) + unit_roundoff * std::fabs(at_near);
-  const bool rises_at_near = f.b.value >= 0;  // f' is 2 root there, or -2 root
+  const bool rises_at_near = f.b.value >= 0;  // f' is 2 root or -2 root there
 
   LineCrossings found;
   if (2 * f.a.error < std::fabs(f.a.value)) {
@@ -112,7 +113,7 @@ std::optional<LineCrossings> two_roots(const LineFrame& line, const Quadratic& f
     found.positive_before = f.a.value > 0;
     return found;
   }
-  // The sign of a is open: the far root is at least this far out, on one side or the other.
+  // The sign of a is open, so the far root is at least this far out, on one side or the other.
   const bool far_is_out = (std::fabs(sum) - sum_error) > reach * f.a.most() * rounding_of_bounds;
   if (!surface.is_local || !line.knows_cube || !far_is_out) return std::nullopt;
   found.few[0] = f.origin + at_near;
@@ -133,7 +134,7 @@ std::optional<LineCrossings> crossings(const LineFrame& line, const Surface& qua
   const Bounded discriminant{bb - ac, d_error * rounding_of_bounds};
   if (discriminant.is_certain()) {
     if (discriminant.value > 0) return two_roots(line, f, quadric, discriminant);
-    // a and c have one sign, and neither is zero: either tells.
+    // a and c have the same sign and are not zero, so either of them gives the sign of f.
     if (f.a.is_certain()) return none(f.a.value > 0);
     if (f.c.is_certain()) return none(f.c.value > 0);
   }
@@ -143,13 +144,13 @@ std::optional<LineCrossings> crossings(const LineFrame& line, const Surface& qua
 std::optional<LineCrossings> after_departure(const Line& line, const Surface& surface) {
   const bool positive = line.departure_side == Sense::positive;
   if (!surface.in_range || !line.in_frame.in_range) return std::nullopt;
-  // c is 0 at the start by definition: f = t (a t + 2 b). On the way f has the sign of the departure's side at first
-  // and that of a in the end, so there is a crossing after the start exactly if these differ.
+  // By definition c is 0 at the start, so f = t (a t + 2 b). At first f has the sign of the departure's side, and in
+  // the end that of a. So there is a crossing after the start exactly if these two signs differ.
   const LineFrame& in_frame = line.in_frame;
   const Quadratic f = restrict_to_line(in_frame, surface);
   if (!f.a.is_certain()) return std::nullopt;
   if ((f.a.value > 0) == positive) return none(positive);
-  // From the closest approach at `origin`, where f' = 2 b, the two roots lie as far apart on either side of -b / a.
+  // f' = 2 b at the closest approach, `origin`. The two roots lie equally far on either side of -b / a from there.
   const double middle = f.origin - f.b.value / f.a.value;
   const double start = -in_frame.shift;
   const double other = 2 * middle - start;

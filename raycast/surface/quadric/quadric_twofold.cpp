@@ -62,14 +62,14 @@ TwofoldBounded discriminant_of(const Quadratic& f) {
   return {bb + -ac, error * rounding_of_bounds + underflow};
 }
 
-// sqrt(D), D > 0 for certain: one Newton step on the double's root leaves a relative 4 u².
+// Computes sqrt(D), where D > 0 is certain. One Newton step on the double's root leaves a relative error of 4 u².
 TwofoldBounded square_root(const TwofoldBounded& discriminant) {
   const double root = std::sqrt(discriminant.value.high);
   const Twofold left = discriminant.value + -two_product(root, root);
   return {fast_two_sum(root, left.high / (2 * root)), 2 * discriminant.error / root + 4 * uu * root};
 }
 
-// The two roots with s, or the one nearest 0 if the sign of a is open.
+// The two roots, as values of s. If the sign of a is open, only the root nearest 0.
 struct Roots {
   TwofoldBounded near;
   std::optional<TwofoldBounded> far;
@@ -121,7 +121,7 @@ std::optional<TwofoldRoot> twofold_quadric_root(const Line& line, const Crossing
   if (!discriminant.is_certain() || !discriminant.is_positive()) return std::nullopt;
   const std::optional<Roots> roots = roots_of(f, discriminant);
   if (!roots) return std::nullopt;
-  // A crossing whose partner is out of reach is the one near the closest approach.
+  // If a crossing's partner is out of reach, the crossing is the one near the closest approach.
   if (crossing.found->count == 1) return from_origin(roots->near, f.origin);
   if (!roots->far) return std::nullopt;
   return from_origin((crossing.root == 0) == roots->far_is_lower ? *roots->far : roots->near, f.origin);
