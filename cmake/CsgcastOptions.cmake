@@ -10,7 +10,8 @@ target_compile_options(csgcast_warnings INTERFACE -Wall -Wextra -Wpedantic -Wsha
 if(CSGCAST_SANITIZE)
   target_compile_options(csgcast_options INTERFACE -fsanitize=${CSGCAST_SANITIZE} -fno-omit-frame-pointer
                                                    -fno-sanitize-recover=all)
-  target_link_options(csgcast_options INTERFACE -fsanitize=${CSGCAST_SANITIZE})
+  # Sanitizers load modules in the program's stead, which only the older kind of run path serves.
+  target_link_options(csgcast_options INTERFACE -fsanitize=${CSGCAST_SANITIZE} LINKER:--disable-new-dtags)
 endif()
 # Of Highway only the headers are needed, and its library takes milliseconds to start.
 if(CMAKE_SYSTEM_NAME STREQUAL Linux)
