@@ -107,13 +107,16 @@ std::uint64_t memory_available() {
   return pages > 0 && page_size > 0 ? std::uint64_t(pages) * std::uint64_t(page_size) : ~std::uint64_t(0);
 }
 
-/// The film itself, and the bytes that a file of it is made from.
-void check_film_memory(const RenderOptions& options) {
-  const std::uint64_t pixels = std::uint64_t(options.width) * std::uint64_t(options.height);
-  const std::uint64_t needed = 2 * pixels * std::uint64_t(channels(content(options.mode))) * sizeof(float);
+/// The films themselves, and the bytes that a file of them is made from.
+void check_film_memory(const Job& job) {
+  const std::uint64_t pixels = std::uint64_t(job.render.width) * std::uint64_t(job.render.height);
+  int count = job.has_color ? channels(content(job.render.mode)) : 0;
+  if (job.has_alpha) count += channels(FilmContent::color_alpha);
+  for (const Channel channel : job.channels) count += static_cast<int>(names_in_file(channel).size());
+  const std::uint64_t needed = 2 * pixels * std::uint64_t(count) * sizeof(float);
   if (needed > memory_available()) {
     throw UsageError(fmt::format("--size {}x{} needs {} GB of memory (this machine has {}); make the picture smaller",
-                                 options.width, options.height, needed >> 30, memory_available() >> 30));
+                                 job.render.width, job.render.height, needed >> 30, memory_available() >> 30));
   }
 }
 
@@ -170,10 +173,11 @@ Job check(const RenderCommandOptions& options) {
   if (options.samples) job.render.samples = parse_samples(options);
   if (options.adaptive) job.render.sampling = adaptive_sampling(job.render);
   if (options.bits) job.picture.bits = parse_count("--bits", *options.bits, 8, 32);
-  job.has_alpha = job.picture.has_alpha = options.alpha;
+  job.has_alpha = options.alpha;
+  job.picture.content = options.alpha ? FilmContent::color_alpha : content(job.render.mode);
   if (!options.channels.empty()) read_channels(options.channels, job);
   check_channels(options, job);
-  check_film_memory(job.render);
+  check_film_memory(job);
   if (!options.camera.empty()) job.camera = camera_from_numbers(parse_numbers("--camera", options.camera));
   if (!options.trace_pixel.empty()) {
     if (job.render.mode != Mode::shaded) {
@@ -274,7 +278,11 @@ void render_picture(const RenderCommandOptions& options, Job& job, const SceneIn
                           : render(input.scene, view, job.render, &report);
   }
   std::vector<Film> films;
-  if (!job.channels.empty()) films = channel_films(input.scene, view, job.render, job.channels);
+  if (!job.channels.empty()) {
+    bar.emplace("channels", options.scene.progress());
+    job.render.progress = bar->callback();
+    films = channel_films(input.scene, view, job.render, job.channels);
+  }
   bar.reset();
   const Stopwatch write_watch;
   const std::vector<std::pair<std::string, std::string>> said = notes(options, view);
@@ -282,7 +290,7 @@ void render_picture(const RenderCommandOptions& options, Job& job, const SceneIn
     for (const auto& [name, text] : said) tile->add_note(name, text);
     write_tile(*tile, *color, files.picture);
   } else {
-    const PictureOptions picture{job.picture.bits, said, job.has_alpha};
+    const PictureOptions picture{job.picture.bits, said};
     const std::string name = picture_name(options.output);
     files.picture.write(options.channels.empty() ? image_bytes(*color, name, picture)
                                                  : layer_bytes(layers(job, color, films), name, picture));

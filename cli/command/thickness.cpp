@@ -92,7 +92,7 @@ void run(const ThicknessCommand& command) {
   std::optional<CameraDescription> camera;
   if (!command.camera.empty()) camera = camera_from_numbers(parse_numbers("--camera", command.camera));
   if (!command.output.empty()) {
-    check_image_path(picture_name(command.output));
+    check_image_path(picture_name(command.output), {.content = FilmContent::length});
     check_distinct(std::array{NamedFile{"the scene", command.scene.path}},
                    std::array{NamedFile{"-o", path_of(command.output)}});
   }

@@ -38,7 +38,7 @@ float sound(double x) { return std::isfinite(x) && x > 0 ? static_cast<float>(x)
 std::shared_ptr<const Environment> environment_of(const BackgroundImage& image) {
   constexpr std::size_t most = std::size_t{1} << 28;  // a gigabyte of numbers
   detail::DecodedPicture picture;
-  const detail::PictureModule& module = detail::picture_module(image.path);
+  const detail::PictureModule& module = detail::picture_module(image.place, "give a background color");
   try {
     picture = module.decode(image.path, most);
   } catch (const std::runtime_error& failure) {

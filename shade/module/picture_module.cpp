@@ -57,11 +57,11 @@ std::shared_future<Loaded>& loading() {
 
 void prepare_picture_module() { loading(); }
 
-const PictureModule& picture_module(const std::string& path) {
+const PictureModule& picture_module(const Place& place, const std::string& otherwise) {
   const Loaded& loaded = loading().get();
   if (loaded.module != nullptr) return *loaded.module;
-  throw Error(ErrorCode::unsupported, {path, 0, 0}, "this kind of picture needs a module that cannot be loaded",
-              loaded.problem, "write a .png, or install csgcast with OpenImageIO");
+  throw Error(ErrorCode::unsupported, place, "this kind of picture needs a module that cannot be loaded",
+              loaded.problem, otherwise + ", or install csgcast with OpenImageIO");
 }
 
 }  // namespace csgcast::detail

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "csg/base/place.h"
+
 namespace csgcast::detail {
 
 /// What a channel's numbers are: 8 or 16 bits without a sign, or 32-bit floats.
@@ -54,10 +56,10 @@ struct PictureModule {
 /// The function that the module exports: extern "C" const PictureModule* csgcast_picture_module().
 constexpr const char* module_entry = "csgcast_picture_module";
 
-/// The module, loaded at the first call. Throws Error(unsupported) if it cannot be loaded; `path` is the picture that
-/// needs it. It is looked for in the folder that the environment variable CSGCAST_MODULES names; without the variable
-/// where the program's run path says, then in the folder that it is installed into.
-const PictureModule& picture_module(const std::string& path);
+/// The module, loaded at the first call. Throws Error(unsupported) if it cannot be loaded, at the place that needs it;
+/// `otherwise` is what one can do without. It is looked for in the folder that the environment variable CSGCAST_MODULES
+/// names; without the variable where the program's run path says, then in the folder that it is installed into.
+const PictureModule& picture_module(const Place& place, const std::string& otherwise = "write a .png");
 
 /// Begins to load it on a thread of its own, so that picture_module() waits less. What goes wrong, that tells.
 void prepare_picture_module();

@@ -28,6 +28,7 @@ struct Format {
   unsigned bits;  ///< the least of the set is usual
   int longest_side = std::numeric_limits<int>::max();
   bool has_alpha = true;
+  bool has_gray = true;  ///< pictures of one channel
 };
 constexpr int most = std::numeric_limits<int>::max();
 constexpr int jpeg_side = 65500;
@@ -40,18 +41,17 @@ constexpr std::array formats{Format{".png", b8 | b16},
                              Format{".tif", b8 | b16 | b32},
                              Format{".tiff", b8 | b16 | b32},
                              Format{".exr", b32},
-                             Format{".hdr", b32, most, false},
+                             Format{".hdr", b32, most, false, false},
                              Format{".webp", b8, webp_side},
                              Format{".bmp", b8},
                              Format{".tga", b8, word_side},
                              Format{".ppm", b8, most, false},
                              Format{".pgm", b8, most, false},
-                             Format{".gif", b8, word_side},
+                             Format{".gif", b8, word_side, true, false},
                              Format{".jp2", b8 | b16},
                              Format{".dpx", b8 | b16},
                              Format{".sgi", b8 | b16, word_side},
-                             Format{".iff", b8 | b16, word_side},
-                             Format{".fits", b8 | b16 | b32},
+                             Format{".iff", b8 | b16, word_side, true, false},
                              Format{".ico", b8, icon_side}};
 
 unsigned set_of(int bits) {
@@ -107,14 +107,27 @@ std::vector<std::string> names_of(FilmContent content, int channels) {
   return {"R", "G", "B"};
 }
 
-void check_alpha(const Format& format, const std::string& path) {
-  if (format.has_alpha) return;
-  std::string able;
-  for (const Format& other : formats) {
-    if (other.has_alpha) able += (able.empty() ? "" : ", ") + std::string(other.ending);
+/// The endings of all kinds of files with something.
+std::string endings_with(bool Format::*feature) {
+  std::string endings;
+  for (const Format& format : formats) {
+    if (format.*feature) endings += (endings.empty() ? "" : ", ") + std::string(format.ending);
   }
-  throw Error(ErrorCode::usage, {path, 0, 0}, "this kind of picture has no transparency",
-              fmt::format("{} files hold colours alone", format.ending), "these do: " + able);
+  return endings;
+}
+
+void check_content(FilmContent content, const Format& format, int bits, const std::string& path) {
+  if (content == FilmContent::color_alpha && !format.has_alpha) {
+    throw Error(ErrorCode::usage, {path, 0, 0}, "this kind of picture has no transparency",
+                fmt::format("{} files hold colours alone", format.ending),
+                "these do: " + endings_with(&Format::has_alpha));
+  }
+  const bool is_gray = channels(content) == 1 && (content != FilmContent::id || bits == 32);
+  if (is_gray && !format.has_gray) {
+    throw Error(ErrorCode::usage, {path, 0, 0}, "this kind of picture has no single channel, as depths need it",
+                fmt::format("{} files hold colours alone", format.ending),
+                "these do: " + endings_with(&Format::has_gray));
+  }
 }
 
 void check_size(const Film& film, const Format& format, const std::string& path) {
@@ -146,21 +159,22 @@ std::vector<std::byte> encoded(const std::string& path, Encode&& encode) {
 
 void check_image_path(const std::string& path, const PictureOptions& options) {
   const Format& format = format_of(path);
-  if (options.has_alpha) check_alpha(format, path);
-  if (!is_plain_png(format, bits_of(path, format, options))) detail::prepare_picture_module();
+  const int bits = bits_of(path, format, options);
+  check_content(options.content, format, bits, path);
+  if (!is_plain_png(format, bits)) detail::prepare_picture_module();
 }
 
 std::vector<std::byte> image_bytes(const Film& film, const std::string& path, const PictureOptions& options) {
   const Format& format = format_of(path);
   const int bits = bits_of(path, format, options);
   check_size(film, format, path);
-  if (film.content() == FilmContent::color_alpha) check_alpha(format, path);
+  check_content(film.content(), format, bits, path);
   detail::EncodedPicture picture{.width = film.width(), .height = film.height(), .notes = all_notes(options)};
   if (bits == 32) {
     picture.type = detail::PixelType::real;
     picture.channels = names_of(film.content(), channels(film.content()));
     picture.pixels = film.values().data();
-    return encoded(path, [&] { return detail::picture_module(path).encode(picture, ending_of(path)); });
+    return encoded(path, [&] { return detail::picture_module({path, 0, 0}).encode(picture, ending_of(path)); });
   }
   const detail::EncodedFilm levels = detail::encode(film, bits);
   if (is_plain_png(format, bits)) return encoded(path, [&] { return detail::png_file(levels, picture.notes); });
@@ -168,7 +182,7 @@ std::vector<std::byte> image_bytes(const Film& film, const std::string& path, co
   picture.channels = names_of(film.content(), levels.channels);
   picture.pixels = bits == 8 ? static_cast<const void*>(levels.bytes.data()) : levels.words.data();
   picture.is_srgb = is_srgb(film.content());
-  return encoded(path, [&] { return detail::picture_module(path).encode(picture, ending_of(path)); });
+  return encoded(path, [&] { return detail::picture_module({path, 0, 0}).encode(picture, ending_of(path)); });
 }
 
 void write_image(const Film& film, const std::string& path, const PictureOptions& options) {
@@ -208,7 +222,7 @@ std::vector<std::byte> layer_bytes(std::span<const NamedChannels> layers, const 
     }
   }
   picture.pixels = values.data();
-  return encoded(path, [&] { return detail::picture_module(path).encode(picture, ending_of(path)); });
+  return encoded(path, [&] { return detail::picture_module({path, 0, 0}).encode(picture, ending_of(path)); });
 }
 
 }  // namespace csgcast

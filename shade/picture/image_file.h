@@ -15,11 +15,14 @@ struct PictureOptions {
   int bits = 0;  ///< a channel: 8, 16, or 32 for floats; 0: what is usual for the kind of file
   /// What the file says of itself besides "Software", as names and texts: kinds of files without room for it drop it.
   std::vector<std::pair<std::string, std::string>> notes{};
-  bool has_alpha = false;  ///< the picture will have alpha: check_image_path() asks whether the kind of file does
+  /// What the picture will show: check_image_path() asks whether the kind of file holds it. Files are of the film's
+  /// own.
+  FilmContent content = FilmContent::color;
 };
 
 /// Throws Error(usage) unless the path ends in a kind of picture that can be written, in either case, with so many
-/// bits; the error lists what can. Begins to load what will write it, on a thread of its own: call it early.
+/// bits and such content; the error lists what can. Begins to load what will write it, on a thread of its own: call it
+/// early.
 void check_image_path(const std::string& path, const PictureOptions& options = {});
 
 /// The content of a film's file, of the kind that the path's ending tells. With 8 and 16 bits a channel numbers are

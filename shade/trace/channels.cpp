@@ -154,7 +154,8 @@ class RowHits {
   std::vector<std::uint8_t> hits_;
 };
 
-Film with_alpha(const Scene& scene, const View& view, const RenderOptions& options, const Film& film) {
+Film with_alpha(const Scene& scene, const View& view, const RenderOptions& options, const Film& film,
+                const ProgressCallback& progress) {
   const Camera camera(view.camera, options.width, options.height);
   const std::optional<Cells> cells = cells_for(scene, camera, options);
   const int k = grid_of(options.samples);
@@ -185,7 +186,7 @@ Film with_alpha(const Scene& scene, const View& view, const RenderOptions& optio
     }
   };
   each_row(
-      film.height(), {}, [&] { return RowHits(scene, cells ? &*cells : nullptr, options); }, row);
+      film.height(), progress, [&] { return RowHits(scene, cells ? &*cells : nullptr, options); }, row);
   return result;
 }
 
@@ -235,9 +236,16 @@ Film render_with_alpha(const Scene& scene, const View& view, const RenderOptions
     throw Error(ErrorCode::usage, {}, "alpha in a picture of another mode than shaded, or of adaptive samples",
                 "it is the share of a pixel's rays that meet the solid", "take regular samples, or leave alpha out");
   }
-  const Film film = render(scene, view, options, report);
+  // The picture and its alpha are half of the work each.
+  const auto half = [&](double done) -> ProgressCallback {
+    if (!options.progress) return {};
+    return [&callback = options.progress, done](const Progress& p) { return callback({done + p.share / 2}); };
+  };
+  RenderOptions first = options;
+  first.progress = half(0);
+  const Film film = render(scene, view, first, report);
   std::optional<Film> result;
-  on_threads(options.threads, [&] { result = with_alpha(scene, view, options, film); });
+  on_threads(options.threads, [&] { result = with_alpha(scene, view, options, film, half(0.5)); });
   return std::move(*result);
 }
 

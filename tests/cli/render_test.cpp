@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <unistd.h>
+
 #include "tests/cli/program.h"
 #include "tests/support/catch.h"
 
@@ -181,7 +183,7 @@ TEST_CASE("what is wrong with the output is found before the scene is read") {
   const SceneFolder folder("this is no scene");
   CHECK(run(folder, {"render", "scene.csg", "-o", "a.stl"}).err ==
         "a.stl: error: not a known kind of picture (its name ends in .stl); known endings are .png, .jpg, .jpeg, .tif, "
-        ".tiff, .exr, .hdr, .webp, .bmp, .tga, .ppm, .pgm, .gif, .jp2, .dpx, .sgi, .iff, .fits, .ico\n");
+        ".tiff, .exr, .hdr, .webp, .bmp, .tga, .ppm, .pgm, .gif, .jp2, .dpx, .sgi, .iff, .ico\n");
   CHECK(
       run(folder, {"render", "scene.csg", "-o", "no/a.png"}).err ==
       "no/a.png: error: cannot write this file (No such file or directory); choose a path in a folder that exists and "
@@ -234,6 +236,9 @@ TEST_CASE("channels, transparency and bits are for the pictures that hold them")
   CHECK(refused({"-o", "a.jpg", "--bits", "16"}).find(".jpg files hold 8") != std::string::npos);
   CHECK(refused({"-o", "a.png", "--alpha", "--mode", "id"}).find("alpha needs --mode shaded") != std::string::npos);
   CHECK(refused({"-o", "a.jpg", "--alpha"}).find("has no transparency") != std::string::npos);
+  for (const char* name : {"a.hdr", "a.gif", "a.iff"})
+    CHECK(refused({"-o", name, "--mode", "depth"}).find("has no single channel") != std::string::npos);
+  CHECK(refused({"-o", "a.hdr", "--mode", "id"}).find("has no single channel") != std::string::npos);
   CHECK(folder.names() == std::vector<std::string>{"scene.csg"});
 }
 
@@ -251,6 +256,23 @@ TEST_CASE("only pictures of other kinds than plain .png need the module for pict
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.err.find("a.exr: error: this kind of picture needs a module that cannot be loaded (") == 0);
   CHECK(outcome.err.find("write a .png, or install csgcast with OpenImageIO") != std::string::npos);
+  folder.write("sky.csg", "cube(1);\n  background(image = \"sky.hdr\");\n");
+  const Outcome sky = run(
+      folder, {"CSGCAST_MODULES=/nowhere", CSGCAST_PROGRAM, "render", "sky.csg", "--size", "8x8", "-o", "b.png"}, bare);
+  CHECK(sky.exit_code == 2);
+  CHECK(sky.err.find("sky.csg:2:3: error: this kind of picture needs a module that cannot be loaded (") == 0);
+  CHECK(sky.err.find("give a background color, or install csgcast with OpenImageIO") != std::string::npos);
+}
+
+TEST_CASE("the memory for all channels is asked for before the scene is read") {
+  const SceneFolder folder("this is no scene");
+  const double machine = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  if (machine >= 256 * 0x1p30) return;  // a larger picture cannot be asked for
+  const auto said = [&](const std::string& names) {
+    return run(folder, {"render", "scene.csg", "--size", "65536x65536", "-o", "a.exr", "--channels", names}).err;
+  };
+  CHECK(said("color,depth,normal,position,id,part,leaf").find("needs 416 GB of memory") != std::string::npos);
+  CHECK(said("color,alpha,depth").find("needs 256 GB of memory") != std::string::npos);
 }
 
 }  // namespace

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "shade/light/environment.h"
 
-#include <cmath>
-#include <numbers>
+#include <unistd.h>
 
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <tuple>
+
+#include "csg/base/error.h"
 #include "csg/solid/primitives.h"
 #include "shade/film/camera.h"
+#include "shade/picture/image_file.h"
 #include "shade/trace/channels.h"
 #include "shade/trace/render.h"
 #include "tests/support/catch.h"
@@ -57,6 +64,43 @@ TEST_CASE("an environment has no seam, and is between its pixels in between") {
   CHECK(right.r == Approx(0.75));
 }
 
+TEST_CASE("every kind of picture brings the light that it was written from, floats as they are, 8 bits out of sRGB") {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("csgcast-sky-" + std::to_string(::getpid()));
+  fs::create_directory(folder);
+  Film film(60, 30, FilmContent::color);
+  for (int y = 0; y < 30; ++y) {
+    for (int x = 0; x < 60; ++x) film.set(x, y, {0.2, 0.5, 0.9});
+  }
+  const Scene scene = compile(sphere(1));
+  SceneDescription description;
+  const auto seen = [&](const std::string& name) {
+    description.background_image = BackgroundImage{(folder / name).string()};
+    return make_view(description, scene, 1).sky({1, 2, 3});
+  };
+  for (const auto& [name, bits, error] : std::vector<std::tuple<const char*, int, double>>{{"a.exr", 32, 1e-7},
+                                                                                           {"a.tif", 32, 1e-7},
+                                                                                           {"a.hdr", 32, 1.0 / 128},
+                                                                                           {"a.png", 8, 1.0 / 128},
+                                                                                           {"a.png", 16, 1e-4},
+                                                                                           {"a.tif", 8, 1.0 / 128},
+                                                                                           {"a.tga", 8, 1.0 / 128},
+                                                                                           {"a.webp", 8, 1.0 / 128}}) {
+    INFO(name << " with " << bits << " bits");
+    write_image(film, (folder / name).string(), {.bits = bits});
+    const Rgb light = seen(name);
+    CHECK(std::fabs(light.r - 0.2) <= error);
+    CHECK(std::fabs(light.g - 0.5) <= error);
+    CHECK(std::fabs(light.b - 0.9) <= error);
+  }
+  // An icon may be written, but OpenImageIO does not read it well, whatever its name says.
+  write_image(film, (folder / "a.ico").string());
+  CHECK_THROWS_WITH(seen("a.ico"), Catch::Contains("icons are not read"));
+  fs::rename(folder / "a.ico", folder / "b.png");
+  CHECK_THROWS_AS(seen("b.png"), Error);
+  fs::remove_all(folder);
+}
+
 TEST_CASE("a mirror shows the environment in the reflected direction, and packets show what single rays do") {
   Material mirror;
   mirror.ambient = mirror.diffuse = mirror.specular = 0;
@@ -105,7 +149,15 @@ TEST_CASE("alpha is the share of a pixel that shows the solid, and the backgroun
   options.width = options.height = 42;
   options.samples = 16;
   const Film plain = render(scene, view, options);
+  double told = 0;
+  options.progress = [&told](const Progress& progress) {
+    CHECK(progress.share >= told);
+    told = progress.share;
+    return true;
+  };
   const Film film = render_with_alpha(scene, view, options);
+  CHECK(told == 1);
+  options.progress = {};
   double covered = 0;
   for (int y = 0; y < options.height; ++y) {
     for (int x = 0; x < options.width; ++x) {

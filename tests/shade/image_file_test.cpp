@@ -204,6 +204,26 @@ TEST_CASE("channels by name and notes are in the file") {
   CHECK_THROWS_WITH(layer_bytes(channels, "a.png"), Catch::Contains("write an .exr"));
 }
 
+TEST_CASE("kinds of files for colours alone refuse pictures of one channel, before and when they are made") {
+  const Folder folder;
+  const Film depth(3, 2, FilmContent::depth);
+  const Film id(3, 2, FilmContent::id);
+  for (const char* name : {"a.hdr", "a.gif", "a.iff"}) {
+    CHECK_THROWS_WITH(check_image_path(name, {.content = FilmContent::length}), Catch::Contains("no single channel"));
+    CHECK_THROWS_WITH(image_bytes(depth, name), Catch::Contains("hold colours alone"));
+  }
+  CHECK_THROWS_WITH(image_bytes(id, "a.hdr"), Catch::Contains("no single channel"));
+  CHECK_NOTHROW(write_image(id, folder.file("a.gif")));  // its numbers are colours there
+}
+
+TEST_CASE("notes in a .png are UTF-8") {
+  const Folder folder;
+  write_image(ramp(), folder.file("a.png"), {.notes = {{"Scene", "\u00e9\u00df.csg"}}});
+  const std::string bytes = content_of(folder.file("a.png"));
+  CHECK(bytes.find(std::string("iTXtScene\0\0\0\0\0", 14) + "\u00e9\u00df.csg") != std::string::npos);
+  CHECK(bytes.find("tEXtSoftware") != std::string::npos);
+}
+
 TEST_CASE("JPEG is close to the picture") {
   const Folder folder;
   Film film(32, 32, FilmContent::color);

@@ -18,7 +18,7 @@ namespace {
 [[noreturn]] void fail(const std::string& path, const std::string& why) { throw std::runtime_error(path + ": " + why); }
 
 Picture of_bytes(int width, int height, int channels, const std::vector<std::uint8_t>& bytes) {
-  Picture picture{width, height, 8, {"Y"}, {}, {}};
+  Picture picture{width, height, 8, true, {"Y"}, {}, {}};
   if (channels >= 3) picture.channels = {"R", "G", "B"};
   if (channels == 4) picture.channels.emplace_back("A");
   for (const std::uint8_t byte : bytes) picture.values.push_back(static_cast<float>(byte / 255.0));
@@ -37,8 +37,9 @@ Picture read_png(const std::string& path) {
 }
 
 Picture read_by_module(const std::string& path) {
-  detail::DecodedPicture decoded = detail::picture_module(path).decode(path, std::size_t{1} << 24);
-  return {decoded.width, decoded.height, decoded.bits, decoded.channels, std::move(decoded.values), decoded.notes};
+  detail::DecodedPicture decoded = detail::picture_module({path, 0, 0}).decode(path, std::size_t{1} << 24);
+  return {decoded.width, decoded.height, decoded.bits, decoded.is_srgb, decoded.channels, std::move(decoded.values),
+          decoded.notes};
 }
 
 }  // namespace

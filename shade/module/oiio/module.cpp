@@ -3,6 +3,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 #include <unistd.h>
 #include <webp/encode.h>
 
@@ -12,6 +13,7 @@
 #include <iterator>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 #include "shade/module/module_version.h"
 #include "shade/module/picture_module.h"
@@ -129,14 +131,18 @@ std::vector<std::byte> encode(const EncodedPicture& picture, const std::string& 
 DecodedPicture decode(const std::string& path, std::size_t most) {
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
   if (!input) throw std::runtime_error(OIIO::geterror());
+  // Of icons that it wrote itself it writes beyond its memory (OpenImageIO 2.4).
+  if (std::string_view(input->format_name()) == "ico") throw std::runtime_error("icons are not read");
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1) throw std::runtime_error("it is no flat picture");
   if (spec.image_pixels() * static_cast<OIIO::imagesize_t>(spec.nchannels) > most)
     throw std::runtime_error("it is too large");
   DecodedPicture picture{spec.width, spec.height, spec.channelnames, {}, static_cast<int>(8 * spec.format.size()),
                          false,      {}};
-  picture.is_srgb =
-      spec.get_string_attribute("oiio:ColorSpace", spec.format.is_floating_point() ? "Linear" : "sRGB") != "Linear";
+  // Radiance says "linear", others "Linear".
+  const bool is_float = spec.format.is_floating_point();
+  const std::string space = spec.get_string_attribute("oiio:ColorSpace", is_float ? "Linear" : "sRGB");
+  picture.is_srgb = !OIIO::Strutil::iequals(space, "linear");
   for (const OIIO::ParamValue& note : spec.extra_attribs) picture.notes.emplace_back(note.name(), note.get_string());
   picture.values.resize(static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(spec.nchannels));
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, picture.values.data()))

@@ -3,6 +3,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <new>
 #include <span>
@@ -100,7 +101,8 @@ std::vector<std::byte> png_file(const EncodedFilm& picture, const PictureNotes& 
   std::vector<png_text> texts;
   for (auto& [key, text] : own) {
     png_text entry{};
-    entry.compression = PNG_TEXT_COMPRESSION_NONE;
+    const bool is_ascii = std::all_of(text.begin(), text.end(), [](char c) { return (c & 0x80) == 0; });
+    entry.compression = is_ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
     entry.key = key.data();
     entry.text = text.data();
     texts.push_back(entry);
