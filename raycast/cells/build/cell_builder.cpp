@@ -25,7 +25,7 @@ namespace csgcast::detail {
 namespace {
 
 constexpr int most_depth = 60;
-// If both parts have at least this many leaves, they are built side by side, on at most this many levels of the tree.
+// The halves of a part with at least this many leaves are built side by side, on at most this many levels of the tree.
 constexpr std::size_t large = 64;
 constexpr int deepest_task = 5;
 
