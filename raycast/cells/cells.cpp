@@ -13,7 +13,8 @@ namespace csgcast {
 
 namespace {
 
-// What a ray asks for first, and waits for, is written last, without room for more: it is in the cache then.
+// A ray asks for these first, and waits for them. So they are written last, without spare room, and are in the cache
+// then.
 void bring_near(detail::CellData& data) {
   data.cells = std::vector(data.cells);
   data.nodes = std::vector(data.nodes);

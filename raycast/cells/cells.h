@@ -8,8 +8,8 @@
 
 namespace csgcast {
 
-/// A scene's space, cut into cells with what the tree comes to in each. They make rays fast (docs/cells.md).
-/// Read-only once they are made; any number of threads may use them.
+/// A scene's space, cut into cells. Each cell has the part of the tree that matters in it. Cells make rays fast
+/// (docs/cells.md). They are read-only once they are made; any number of threads may use them.
 class Cells {
  public:
   /// Makes the cells of the whole solid, or of one of its nodes. The scene must outlive them. It takes some 20 us a
@@ -28,12 +28,12 @@ class Cells {
     std::size_t surfaces = 0;   ///< surfaces of these cells, summed over the cells
     std::size_t large = 0;      ///< cells with more surfaces than a table of truth values takes
     std::size_t undecided = 0;  ///< cells through which every ray is left to the caster
-    std::size_t boxed = 0;      ///< leaves, or intersections of some, in a hierarchy of boxes; 0 if there is none
-    std::size_t bytes = 0;      ///< memory of all
+    std::size_t boxed = 0;      ///< leaves, or intersections of leaves, in a hierarchy of boxes; 0 if there is none
+    std::size_t bytes = 0;      ///< memory of all of them
   };
   Counts counts() const;
 
-  /// The cells themselves, for those who cast packets (cells_data.h).
+  /// The cells themselves, for code that casts packets (cells_data.h).
   struct Data;
   const Data& data() const { return *data_; }
 

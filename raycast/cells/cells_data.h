@@ -8,7 +8,7 @@
 
 namespace csgcast {
 
-/// The data of cells: a public header names the type, and only those who cast packets see what it is.
+/// The data of cells. A public header names the type only, and only code that casts packets sees its content.
 struct Cells::Data : detail::CellData {
   explicit Data(detail::CellData&& data) : CellData(std::move(data)) {}
 };

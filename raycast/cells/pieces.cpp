@@ -15,7 +15,7 @@
 namespace csgcast {
 namespace {
 
-// Leaves with more half-spaces in a box are not searched for those that others imply.
+// If a leaf has more half-spaces in a box, half-spaces that others imply are not searched for.
 constexpr std::uint32_t most_compared = 128;
 
 LocalForm multiple(LocalForm form, double s) {
@@ -54,8 +54,8 @@ struct PieceCutter::State {
   std::vector<LocalForm> forms;
 };
 
-// Makes a piece of a formula that is folded. False if too many surfaces are left for a table, or a leaf's own literal:
-// then only their number is set.
+// Makes a piece of a folded formula. Returns false if the formula has a leaf's own literal, or too many surfaces for a
+// table. Then only the number of surfaces is set.
 bool PieceCutter::State::tabulate(const detail::Formula& formula, Piece& piece) {
   surfaces.gather(formula);
   piece.count = static_cast<std::uint32_t>(surfaces.size());
@@ -65,7 +65,7 @@ bool PieceCutter::State::tabulate(const detail::Formula& formula, Piece& piece) 
       const LeafId leaf = detail::leaf_of(ground.scene, id);
       if (!leaf.valid()) continue;
       is_told = false;
-      piece.count += ground.scene.leaf(leaf).count - 1;  // any of its surfaces may cross the box
+      piece.count += ground.scene.leaf(leaf).count - 1;  // any surface of the leaf may cross the box
     }
   }
   if (!is_told || surfaces.size() > Piece::most_surfaces) return false;
@@ -77,8 +77,8 @@ bool PieceCutter::State::tabulate(const detail::Formula& formula, Piece& piece) 
   return true;
 }
 
-// Drops the half-spaces of leaves that others of the same leaf imply in the box. Of a finely faceted solid these are
-// most, beside the few facets that cross the box. False if there are none.
+// Drops half-spaces of leaves that other half-spaces of the same leaf imply in the box. For a finely faceted solid
+// these are nearly all, except for the few facets that cross the box. Returns false if there are none.
 bool PieceCutter::State::drop_implied(detail::Formula& formula, const CellBox& box) {
   implied.assign(formula.terms.size(), false);
   bool any = false;
@@ -105,7 +105,7 @@ bool PieceCutter::State::find_implied(const detail::Formula& formula, std::size_
   forms.clear();
   for (std::size_t i = first; i < end; ++i) {
     forms.push_back(local_form(ground.forms[formula.terms[i].surface().index()], box));
-    // The form is turned so that it is at most 0 inside.
+    // The sign of the form is chosen so that it is at most 0 inside.
     if (formula.terms[i].wants_positive()) forms.back() = multiple(forms.back(), -1);
   }
   const Vector half = 0.5 * (box.upper - box.lower);
@@ -130,7 +130,7 @@ Piece PieceCutter::State::fold(const detail::Formula& from, const CellBox& box) 
   if (folded.is_constant()) {
     piece.table = TruthTable::constant(folded.value);
   } else if (tabulate(folded, piece) || (drop_implied(folded, box) && tabulate(folded, piece))) {
-    return fold_table(piece, box);  // leaves out what does not matter
+    return fold_table(piece, box);  // this removes what does not matter
   } else {
     for (const SurfaceId id : surfaces.list()) piece.crowd_crossings += space.most_crossings(id.index());
     piece.crowd = std::make_shared<const Piece::Crowd>(Piece::Crowd{std::move(folded)});
@@ -150,7 +150,7 @@ Piece PieceCutter::State::fold_table(const Piece& from, const CellBox& box) {
     if (!stays[i]) table = table.with(i, sides == detail::Sides::positive);
   }
   for (std::size_t i = 0; i < from.count; ++i) {
-    // The side of another surface may have settled that this one does not matter.
+    // The sign of another surface may already make this one irrelevant.
     if (stays[i] && table.depends_on(i)) {
       table = table.renamed(i, piece.count);
       piece.surfaces[piece.count++] = from.surfaces[i];

@@ -13,22 +13,21 @@
 
 namespace csgcast {
 
-/// A box of a solid's space with what the tree comes to in it, as a function of the sides of the few surfaces that
-/// cross it.
+/// A box of a solid's space, with the tree's value in it as a function of the sides of the few surfaces that cross it.
 struct Piece {
   static constexpr std::size_t most_surfaces = TruthTable::most_values;
 
   CellBox box;
   std::uint32_t count = 0;                              ///< the number of surfaces
   std::array<std::uint32_t, most_surfaces> surfaces{};  ///< SurfaceId
-  /// Tells if points are inside, by the signs of the surfaces: true is positive.
+  /// Tells if points are inside, by the signs of the surfaces. The value true stands for a positive sign.
   TruthTable table;
-  /// Of a crowd: a piece that more surfaces cross, or in which a leaf is open (LeafFunction). A crowd's formula is kept
-  /// here, and its table and surfaces say nothing. Else null.
+  /// Set if the piece is a crowd, else null. A crowd is a piece that more surfaces cross, or in which a leaf is open
+  /// (LeafFunction). A crowd's formula is stored here, and its table and surfaces mean nothing.
   struct Crowd;
   std::shared_ptr<const Crowd> crowd;
 
-  /// At most so often a line meets the surfaces of a crowd.
+  /// Upper bound on the number of crossings of a line with the surfaces of a crowd.
   std::uint64_t crowd_crossings = 0;
 
   bool is_crowded() const { return crowd != nullptr; }
@@ -40,7 +39,7 @@ struct Piece {
   }
 };
 
-/// Cuts a space, which must outlive this, into pieces. Working memory of one thread.
+/// Cuts a space into pieces. The space must outlive this. Working memory of one thread.
 class PieceCutter {
  public:
   explicit PieceCutter(const Space& space);

@@ -15,7 +15,8 @@
 namespace csgcast {
 namespace {
 
-// Trees that have more near a node are not asked what it brings: that takes time by the third power of it.
+// A node near which a tree has more terms is not examined for its effect, because that takes time by the third power of
+// their number.
 constexpr std::size_t most_terms_of_effect = 2048;
 
 }  // namespace
@@ -51,7 +52,7 @@ Space Space::effect_of(NodeId node, bool as_everything, const Box& reach) const 
   if (reach.is_null()) return {Content{ground, {}}, ground->box};
   if (!reach.is_finite()) return unbounded();
   const CellBox box = ground->tight_box_of(reach);
-  // Turned forms are told for places near the frame only.
+  // Turned forms are valid only for places near the frame.
   if (ground->axes && !detail::near_frame(box)) return unbounded();
   auto formula = detail::formula_of_effect(scene(), node_, node, as_everything, reach, most_terms_of_effect);
   return formula ? Space(Content{ground, std::move(*formula)}, box) : unbounded();

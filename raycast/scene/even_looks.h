@@ -8,7 +8,8 @@
 
 namespace csgcast {
 
-/// For each region 1 if all leaves that nothing subtracts have its look, else 0.
+/// For each region: 1 if it looks the same everywhere, that is, all leaves that nothing subtracts have the region's
+/// look; else 0.
 inline std::vector<std::uint8_t> even_looks(const Scene& scene) {
   std::vector<std::uint8_t> even(scene.regions().size(), 1);
   for (const Leaf& leaf : scene.leaves()) {

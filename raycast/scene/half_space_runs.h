@@ -7,8 +7,8 @@
 
 namespace csgcast::detail {
 
-/// Fills a list with the runs of a line that are in a half-space. `line` is a LeafLine (leaf_function.h), or serves as
-/// one.
+/// Fills a list with the runs of a line that are in a half-space. `line` is a LeafLine (leaf_function.h), or a type
+/// with the same functions.
 template <class Line>
 void half_space_runs(Line& line, const HalfSpace& half_space, IntervalList& list) {
   const LineCrossings& found = line.found(half_space.surface);

@@ -17,57 +17,58 @@
 
 namespace csgcast {
 
-/// One line, as a leaf asks about it.
+/// The questions that a leaf asks about one line.
 class LeafLine {
  public:
   virtual const Ray& ray() const = 0;
-  /// The crossings with a surface.
+  /// The crossings of the line with a surface.
   virtual const LineCrossings& found(SurfaceId id) = 0;
-  /// One of them. Precondition: root < found(id).count.
+  /// One of these crossings. Precondition: root < found(id).count.
   virtual Crossing crossing(SurfaceId id, std::uint8_t root) = 0;
-  /// Which of two crossings comes first, exactly.
+  /// Orders two crossings exactly.
   virtual std::weak_ordering order(const Crossing& a, const Crossing& b) = 0;
 
  protected:
   ~LeafLine() = default;
 };
 
-/// One box, as a leaf asks about it.
+/// The questions that a leaf asks about one box.
 class LeafBox {
  public:
-  /// It lies in this box of the scene, whose sides may be infinite.
+  /// A box of the scene, maybe with infinite sides, that contains this one.
   virtual Box in_scene() const = 0;
-  /// The sides of a surface that it may meet.
+  /// The sides of a surface that the box may meet.
   virtual detail::Sides sides_of(SurfaceId id) = 0;
 
  protected:
   ~LeafBox() = default;
 };
 
-/// What a leaf is that is no conjunction of half-spaces: any truth function of them. It knows a half-space by its place
-/// in the leaf's list, which it is given with every question, not by its surface: surfaces may weld. Several threads
-/// ask it at once. Leaves may share it if it keeps no places of its own.
+/// Defines a leaf that is not a conjunction of half-spaces, but any other truth function of them. Each call gets the
+/// leaf's list of half-spaces. The function knows a half-space by its place in that list, not by its surface, because
+/// surfaces may be welded. Several threads call it at once. Leaves may share a function that stores no places of its
+/// own.
 class LeafFunction {
  public:
-  /// What a leaf is in a box.
+  /// The content of the leaf in a box.
   enum class Content : std::uint8_t {
-    empty,  ///< none of it
-    full,   ///< all of it
-    terms,  ///< a truth formula, whose condition k is that half-space k holds
-    open,   ///< not known yet: a smaller box may tell
+    empty,  ///< the leaf holds nothing of the box
+    full,   ///< the leaf holds all of the box
+    terms,  ///< a truth formula, in which condition k means that half-space k holds
+    open,   ///< not known yet; it may be known in a smaller box
   };
 
   virtual ~LeafFunction() = default;
 
-  /// Whether a place is inside, by which of the half-spaces hold there. Some may be unknown: the value is, too, unless
-  /// the others settle it.
+  /// True if a place is inside, given which half-spaces hold there. Some of these may be unknown. Then the value is
+  /// unknown, too, unless the others settle it.
   virtual Truth value(std::span<const Truth> holds) const = 0;
-  /// Writes the intervals along a line. They are right within the reach, and may be anything outside of it. The
-  /// crossings at their ends are those of the leaf's surfaces. `scratch` is memory to use.
+  /// Writes the intervals along a line. They are correct within the reach, and arbitrary outside of it. The crossings
+  /// at their ends are crossings of the leaf's surfaces. `scratch` is working memory.
   virtual void intervals(std::span<const HalfSpace> half_spaces, LeafLine& line, Span reach, IntervalList& list,
                          std::vector<IntervalList>& scratch) const = 0;
-  /// What the leaf is in a box. `terms` is written if the content is terms, and then is no constant. It may leave out
-  /// half-spaces that hold in all of the box, or nowhere in it.
+  /// Tells the content of the leaf in a box. `terms` is written only if the content is Content::terms; then it is not
+  /// constant. The formula may leave out half-spaces that hold in all of the box, or nowhere in it.
   virtual Content in_box(std::span<const HalfSpace> half_spaces, LeafBox& box, TruthFormula& terms) const = 0;
 };
 

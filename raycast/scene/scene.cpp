@@ -29,11 +29,11 @@ void check_leaf_count(const Solid& solid) {
               "each use of a shared solid counts", "render it in pieces");
 }
 
-// A box that holds everything bounded; null if there is nothing.
+// A box that holds everything bounded. It is null if there is nothing.
 Box extent(const detail::Flattened& flat) {
   const SceneTables& tables = flat.tables;
   if (!tables.bounded_leaves.is_null()) return tables.bounded_leaves;
-  // A solid of unbounded leaves alone may be bounded itself.
+  // A solid may be bounded although all its leaves are unbounded.
   Box box;
   for (const detail::Body& body : flat.bodies) box = hull(box, tables.nodes[body.node.index()].box);
   return box;
@@ -67,7 +67,7 @@ Scene detail::compile(Solid solid, const Welding& welding, SurfaceKinds kinds) {
     tables.weld_report =
         detail::weld_surfaces(welding, everything, *std::exchange(flat.origins, std::nullopt), flat.surfaces, tables);
   }
-  // From here on the scene itself needs the memory.
+  // From here on, the scene itself needs the memory.
   solid = {};
   detail::gather_regions(std::move(flat.bodies), tables);
   tables.bounds = tables.nodes[tables.root.index()].box;

@@ -25,37 +25,38 @@ struct HalfSpace {
 
 class LeafFunction;
 
-/// One instance of a leaf: the intersection of half-spaces [first, first + count) of the scene's table, or another
-/// truth function of them.
+/// One instance of a leaf. It is the intersection of the half-spaces [first, first + count) in the scene's table, or
+/// another truth function of them.
 struct Leaf {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  const LeafFunction* function = nullptr;  ///< null: the intersection. The scene owns it
-  Place place;                             ///< the statement that made it
+  const LeafFunction* function = nullptr;  ///< null for the intersection; owned by the scene
+  Place place;                             ///< the statement that made the leaf
   RegionId region;
   PartId part;  ///< not valid outside every part
   LookId look;
   LeafKind kind = LeafKind::convex;
-  bool holds_nothing = false;  ///< some operator subtracts it, so no medium is ever made of it
-  /// It counts negatively and no look is set below the subtraction: its faces have the look of what was cut.
+  bool holds_nothing = false;  ///< true if some operator subtracts the leaf; then no medium is ever made of it
+  /// True if the leaf counts negatively and no look is set below the subtraction. Then its faces have the look of the
+  /// solid that was cut.
   bool shows_cut = false;
 };
 
-/// A Boolean node over children [first, first + count) of the scene's list of children; a leaf node has its LeafId in
-/// `first`.
+/// A Boolean node over the children [first, first + count) in the scene's list of children. A leaf node has its LeafId
+/// in `first`.
 struct Node {
   enum class Op : std::uint8_t { empty, everything, leaf, unite, intersect, subtract, complement };
   Op op = Op::empty;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  Box box;  ///< holds the closed set, with a margin; for culling only
+  Box box;  ///< holds the closed set, with a margin; used for culling only
 };
 
-/// What became of a statement that joins solids. Unions at the top of everything, or at the top of a part, have none:
-/// they are dissolved. Its leaves are [first_leaf, leaf_end).
+/// The result of a statement that joins solids. It has the leaves [first_leaf, leaf_end). Unions at the top of
+/// everything, or at the top of a part, are dissolved, so they have no entry.
 struct Operation {
-  Node::Op op = Node::Op::unite;  ///< of the statement; if the result is empty its node may have another
-  NodeId node;                    ///< if only one operand of a union is left: the node of that operand
+  Node::Op op = Node::Op::unite;  ///< the statement's operator; the node of an empty result may have another one
+  NodeId node;                    ///< if only one operand of a union is left, the node of that operand
   std::uint32_t first_leaf = 0;
   std::uint32_t leaf_end = 0;
   Place place;
@@ -67,35 +68,35 @@ struct Part {
   NodeId node;
 };
 
-/// A run of solids above which there are only unions, next to each other in file order, of one part and of one look. It
+/// A run of solids, next to each other in file order, with only unions above them, the same part and the same look. It
 /// counts as one medium.
 struct Region {
   NodeId node;
-  PartId part;             ///< not valid outside every part
-  LookId look;             ///< that of each solid's first leaf that nothing subtracts; other leaves may have others
-  bool transmits = false;  ///< some leaf that nothing subtracts lets light through
+  PartId part;  ///< not valid outside every part
+  LookId look;  ///< the look of each solid's first leaf that nothing subtracts; other leaves may have other looks
+  bool transmits = false;  ///< true if some leaf that nothing subtracts lets light through
 };
 
-/// What a ray in a transparent medium tells apart: one transmitting region, or a run of opaque regions next to each
-/// other. Layers are in file order.
+/// A unit that a ray in a transparent medium distinguishes: one transmitting region, or a run of opaque regions next to
+/// each other. Layers are in file order.
 struct Layer {
   NodeId node;
-  RegionId region;  ///< the transmitting region; not valid for a run of opaque ones
+  RegionId region;  ///< the transmitting region; not valid for a run of opaque regions
 };
 
-/// A ray certainly goes to a side of the surface that it departs from if its cosine with the normal on that side is
-/// above this. A cosine that is computed with the normal of a face there is off by far less (docs/accuracy.md, "Rays
-/// that lead away").
+/// A ray certainly goes to one side of the surface that it departs from, if its cosine with the normal on that side is
+/// above this number. The error of a cosine that is computed with a face's normal is far smaller (docs/accuracy.md,
+/// "Rays that lead away").
 constexpr double clear_departure = 0x1p-20;
 
-/// What a scene is made of, as compile() fills it in. The id of a thing is its index in the table of its kind.
+/// The tables of a scene, as compile() fills them in. The id of a thing is its index in the table of its kind.
 struct SceneTables {
   std::vector<Surface> surfaces;
-  std::vector<HalfSpace> half_spaces;                          ///< leaf by leaf
+  std::vector<HalfSpace> half_spaces;                          ///< in the order of the leaves
   std::vector<Leaf> leaves;                                    ///< in file order
-  std::vector<std::shared_ptr<const LeafFunction>> functions;  ///< those of the leaves
+  std::vector<std::shared_ptr<const LeafFunction>> functions;  ///< the functions of the leaves
   std::vector<Node> nodes;                                     ///< operands before their operators
-  std::vector<NodeId> children;                                ///< node by node
+  std::vector<NodeId> children;                                ///< in the order of the nodes
   std::vector<Operation> operations;
   std::vector<Part> parts;
   std::vector<Region> regions;
@@ -111,9 +112,9 @@ struct SceneTables {
 /// A solid compiled for rays: flat, read-only arrays, safe to share between threads.
 class Scene {
  public:
-  /// A scene without even a root, only good to be assigned to.
+  /// An empty object without a root. It can only be assigned to.
   Scene() = default;
-  /// Precondition: the tables are complete, as those that compile() makes.
+  /// Precondition: the tables are complete, like those of compile().
   explicit Scene(SceneTables tables);
 
   std::span<const Surface> surfaces() const { return tables_.surfaces; }
@@ -130,31 +131,31 @@ class Scene {
   std::span<const NodeId> children(const Node& node) const {
     return std::span(tables_.children).subspan(node.first, node.count);
   }
-  /// Operands before their operators, in file order otherwise.
+  /// The results of statements, operands before their operators, otherwise in file order.
   std::span<const Operation> operations() const { return tables_.operations; }
   /// The whole solid: a union of the regions.
   NodeId root() const { return tables_.root; }
   std::span<const Part> parts() const { return tables_.parts; }
   std::span<const Region> regions() const { return tables_.regions; }
   const Region& region(RegionId id) const { return tables_.regions[id.index()]; }
-  /// Empty unless some region transmits.
+  /// The layers. The list is empty unless some region transmits.
   std::span<const Layer> layers() const { return tables_.layers; }
   bool transmits() const { return !tables_.layers.empty(); }
-  /// Resolved materials, without repeats.
+  /// The resolved materials, without repeats.
   std::span<const Material> looks() const { return tables_.looks; }
   const Material& look(LookId id) const { return tables_.looks[id.index()]; }
   /// The coordinates of the surfaces' floating-point forms.
   const Frame& frame() const { return tables_.frame; }
   /// The bounds of the solid, rounded outward, without the margin of the nodes' boxes.
   const Box& bounds() const { return tables_.bounds; }
-  /// True if a ray that departs from the surface to that side, by more than clear_departure, meets nothing. Then the
-  /// whole solid lies on the surface's other side, and no straight line that leaves the surface to this side comes
-  /// back. False may mean that this was not seen.
+  /// True if a ray meets nothing when it departs from the surface to that side with a cosine above clear_departure. In
+  /// that case the whole solid lies on the surface's other side, and no straight line that leaves the surface to this
+  /// side comes back. False may also mean that this was not noticed.
   bool leads_away(SurfaceId surface, Sense side) const {
     return !leads_away_.empty() && ((leads_away_[surface.index()] >> static_cast<unsigned>(side)) & 1) != 0;
   }
-  /// leads_away() of all surfaces, by index: a bit for each side, 1 << Sense. Empty if no side of any surface leads
-  /// away.
+  /// leads_away() of all surfaces, by index, with a bit for each side, 1 << Sense. The list is empty if no side of any
+  /// surface leads away.
   std::span<const std::uint8_t> sides_that_lead_away() const { return leads_away_; }
   const SceneTables& tables() const { return tables_; }
   const WeldReport& weld_report() const { return tables_.weld_report; }
@@ -167,9 +168,9 @@ class Scene {
   std::vector<std::uint8_t> leads_away_;
 };
 
-/// Compiles a solid. The scene's exact answer is that of the solid as it is, or of the welded one if welding is asked
-/// for. A solid that is handed over (a temporary, or moved) is given up before the surfaces are made, so the two never
-/// take memory side by side.
+/// Compiles a solid. The scene's exact answer is that of the solid as it is, or of the welded solid if welding is asked
+/// for. If the solid is handed over (a temporary, or moved), it is freed before the surfaces are made, so memory never
+/// holds both.
 ///
 /// Throws Error(limit) if exact composition of nested transforms needs numbers of more than 2^14 bits, or the tree has
 /// more than 2^22 leaves, or a leaf is too large, too small or too far away (coordinates up to 2^400 and sizes from

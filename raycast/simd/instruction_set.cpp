@@ -17,7 +17,7 @@ bool has_sse4() {
          __builtin_cpu_supports("aes") != 0 && __builtin_cpu_supports("pclmul") != 0;
 }
 
-// What not every compiler's __builtin_cpu_supports knows.
+// Not every compiler's __builtin_cpu_supports knows these two.
 bool has_lzcnt_and_f16c() {
   unsigned a = 0;
   unsigned b = 0;

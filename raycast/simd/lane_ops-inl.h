@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The operations on lanes that csgcast uses: Highway's, and the same on plain numbers, so that one formula does for
-// packets and for single rays. Included once for each instruction set, by files that include themselves so
-// (hwy/foreach_target.h).
+// The operations on lanes that csgcast uses. They are Highway's, and the same operations on plain numbers, so that
+// packets and single rays share one formula. The file is included once for each instruction set, by files that include
+// themselves (hwy/foreach_target.h).
 #if defined(CSGCAST_LANE_OPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_OPS_INL_H
 #undef CSGCAST_LANE_OPS_INL_H
@@ -27,7 +27,7 @@ namespace HWY_NAMESPACE {
 namespace ops {
 namespace hh = hwy::HWY_NAMESPACE;
 
-/// The tag of one lane that is no register, but a number; its mask is a bool.
+/// The tag for one lane that is a plain number and no register. Its mask is a bool.
 template <class Number>
 struct Single {
   using T = Number;
@@ -119,7 +119,7 @@ using hh::TruncateTo;
 using hh::Xor;
 using hh::Zero;
 
-// From here on: of single numbers.
+// From here on the operations are on single numbers.
 
 template <class T>
 concept Number = std::same_as<T, double> || std::same_as<T, std::uint64_t> || std::same_as<T, std::int64_t> ||
@@ -146,10 +146,10 @@ HWY_INLINE double Mul(double a, double b) { return a * b; }
 HWY_INLINE double Div(double a, double b) { return a / b; }
 HWY_INLINE double Neg(double a) { return -a; }
 HWY_INLINE double Abs(double a) { return std::fabs(a); }
-/// As x86 has them: b if either is no number.
+/// As on x86, the result is b if either operand is NaN.
 HWY_INLINE double Max(double a, double b) { return a > b ? a : b; }
 HWY_INLINE double Min(double a, double b) { return a < b ? a : b; }
-/// Without the library's error handling.
+/// A square root without the library's error handling.
 HWY_INLINE double Sqrt(double a) {
   const hh::CappedTag<double, 1> d;
   return hh::GetLane(hh::Sqrt(hh::Set(d, a)));
@@ -271,7 +271,7 @@ template <class T>
 HWY_INLINE void StoreU(T a, Single<T>, T* to) {
   *to = a;
 }
-/// `offset` in bytes.
+/// `offset` is in bytes.
 HWY_INLINE std::uint64_t GatherOffset(Single<std::uint64_t>, const std::uint64_t* from, std::int64_t offset) {
   return from[offset / 8];
 }

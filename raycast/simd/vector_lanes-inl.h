@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// csg/base/vector.h and length.h in the lanes of vector registers, by the same operations in the same order: the same
-// numbers, bit for bit. Included once for each instruction set, by files that include themselves so
-// (hwy/foreach_target.h).
+// The functions of csg/base/vector.h and length.h in the lanes of vector registers. They do the same operations in the
+// same order, so the numbers are the same, bit for bit. The file is included once for each instruction set, by files
+// that include themselves (hwy/foreach_target.h).
 #if defined(CSGCAST_VECTOR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_VECTOR_LANES_INL_H
 #undef CSGCAST_VECTOR_LANES_INL_H
@@ -21,7 +21,7 @@ namespace hn = ops;
 template <class D>
 using BitsOf = hn::RebindToUnsigned<D>;
 
-/// A vector, point or normal a lane.
+/// A vector, point or normal in each lane.
 template <class V>
 struct Triples {
   V x, y, z;
@@ -57,13 +57,13 @@ HWY_INLINE V longest(const Triples<V>& a) {
   return hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
 }
 
-/// `yes` where the mask is set.
+/// Selects `yes` where the mask is set.
 template <class M, class V>
 HWY_INLINE Triples<V> choose(M mask, const Triples<V>& yes, const Triples<V>& no) {
   return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// The same vector in each lane.
+/// The same vector in every lane.
 template <class D, class T>
 HWY_INLINE Triples<hn::Vec<D>> in_all_lanes(D d, const T& v) {
   return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
@@ -75,13 +75,13 @@ HWY_INLINE hn::Vec<BitsOf<D>> biased_exponent(D, hn::Vec<D> v) {
   return hn::And(hn::ShiftRight<52>(hn::BitCast(bits, v)), hn::Set(bits, 0x7ffu));
 }
 
-/// 2^(n - 1023) for normal results.
+/// Computes 2^(n - 1023), if the result is a normal number.
 template <class D>
 HWY_INLINE hn::Vec<D> power_of_biased(D d, hn::Vec<BitsOf<D>> n) {
   return hn::BitCast(d, hn::ShiftLeft<52>(n));
 }
 
-/// normalised(); zero, too, where a vector is longer than 2^1000 or shorter than 2^-1000.
+/// As normalised(), but also zero if a vector is longer than 2^1000 or shorter than 2^-1000.
 template <class D>
 HWY_INLINE Triples<hn::Vec<D>> normalised_lanes(D d, const Triples<hn::Vec<D>>& v) {
   using V = hn::Vec<D>;
@@ -103,7 +103,8 @@ HWY_INLINE void store_lanes(D d, hn::Vec<D> v, double* to, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) to[i] = buffer[i];
 }
 
-/// Up to a register's lanes from memory; beyond `count` (above 0) the last one again.
+/// Loads the numbers for the lanes of a register from memory. Lanes from `count` on (which is above 0) repeat the last
+/// number.
 template <class D>
 HWY_INLINE hn::Vec<D> load_lanes(D d, const double* from, std::size_t count) {
   const std::size_t lanes = hn::Lanes(d);

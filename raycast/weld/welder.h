@@ -43,8 +43,7 @@ class Welder {
   struct Surface {
     std::uint32_t number = 0;
     QuadricForm form;
-    std::vector<Provenance::Source>
-        sources;           // for each chain of transforms the most accurately known one, and of these the best
+    std::vector<Provenance::Source> sources;  // for each chain the most accurate one, and of these the best
     Box box;               // holds the bounded leaves that own the surface; holds everything if that is not finite
     std::size_t bits = 0;  // bits of all coefficients; fewer bits make a simpler form
   };

@@ -32,7 +32,7 @@ Truth BoxFold::known_of(LeafId id) {
   return all;
 }
 
-// What a leaf that is no conjunction comes to in the box.
+// Folds a leaf that is not a conjunction, for the present box.
 FoldedTerm BoxFold::folded(LeafId id) {
   const Leaf& leaf = ground_.scene.leaf(id);
   switch (leaf.function->in_box(ground_.scene.half_spaces(leaf), *this, leaf_terms_)) {
@@ -63,7 +63,7 @@ FoldedTerm BoxFold::folded(const Term& half_space) {
 void BoxFold::fold(const Formula& from, const CellBox& box, Formula& result) {
   enter(box);
   const auto known_of_leaf = [&](const Term& leaf) {
-    // A leaf that lacks half-spaces goes on beyond its box.
+    // If the leaf lacks half-spaces, it goes on beyond its box.
     return !leaf.is_wider && apart(ground_.leaf_boxes[leaf.what], box_) ? Truth::no : Truth::unknown;
   };
   if (ground_.scene.function_leaves().empty()) {

@@ -11,22 +11,22 @@
 
 namespace csgcast::detail {
 
-/// Looks into one box after another: finds on which sides of surfaces it lies, and folds formulas by that. The sides of
-/// a surface are found once for each box. Working memory of one thread.
+/// Examines one box after another. It finds on which sides of surfaces a box lies, and folds formulas accordingly. The
+/// sides of a surface are found once for each box. Working memory of one thread.
 class BoxFold final : private LeafBox {
  public:
-  /// The places in a box that sides are for.
+  /// The places in a box for which the sides must be correct.
   enum class Places : std::uint8_t {
     exact,   ///< the points of the box itself
-    of_rays  ///< places along rays, which may be off: the box is taken to be as wide as a cell is
+    of_rays  ///< places along rays, which may be off; the box is treated as wide as a cell is
   };
 
   /// The ground must outlive this.
   BoxFold(const CellGround& ground, Places places);
 
-  /// Goes on to another box. It is finite, unless places are of rays.
+  /// Goes on to another box. The box must be finite, unless places are of_rays.
   void enter(const CellBox& box);
-  /// The sides of a surface that the box meets; `both` if that is not known.
+  /// The sides of a surface that the box meets. The answer is `both` if that is not known.
   Sides sides_of(SurfaceId id) override {
     const std::size_t i = id.index();
     if (asked_in_[i] != box_number_) {
@@ -44,7 +44,7 @@ class BoxFold final : private LeafBox {
   /// `yes` if the leaf holds all of the box, `no` if it holds nothing of it.
   Truth known_of(LeafId id);
 
-  /// Enters a box and makes `result` what the formula comes to in it. Precondition: they are two formulas.
+  /// Enters a box, and sets `result` to the formula folded in it. Precondition: they are different formulas.
   void fold(const Formula& from, const CellBox& box, Formula& result);
 
  private:
@@ -58,11 +58,11 @@ class BoxFold final : private LeafBox {
   CellBox box_{};
   Folder folder_;
   Folder leaf_folder_;
-  Formula leaf_whole_;   // what a leaf that is no conjunction comes to in the box
-  Formula leaf_folded_;  // and with what is known there
+  Formula leaf_whole_;   // the formula of a leaf that is not a conjunction in the box
+  Formula leaf_folded_;  // the same, folded with what is known there
   TruthFormula leaf_terms_;
   std::uint32_t box_number_ = 0;
-  std::vector<std::uint32_t> asked_in_;  // by surface: the number of the box that the answer is for
+  std::vector<std::uint32_t> asked_in_;  // by surface: the number of the box that the answer belongs to
   std::vector<Sides> answer_;            // by surface
 };
 

@@ -42,7 +42,7 @@ BoxHierarchy::Plane BoxHierarchy::best_plane(const Range& range, std::size_t axi
   return best;
 }
 
-// Sorts the items of a range into two parts, neither empty; returns where the second begins.
+// Sorts the items of a range into two parts, neither of which is empty. Returns the start of the second part.
 std::size_t BoxHierarchy::halve(const Range& range) {
   Float3 low{HUGE_VALF, HUGE_VALF, HUGE_VALF}, scale{};
   Float3 high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
@@ -86,7 +86,7 @@ float BoxHierarchy::cost_of_halves(const Branch& branch, std::size_t places, std
   return branches_[branch.halves].costs[for_first - 1] + branches_[branch.halves + 1].costs[places - for_first - 1];
 }
 
-// Of the places that a branch gets, the number that its first half should get.
+// A branch gets a number of places. This finds how many of them its first half should get.
 std::size_t BoxHierarchy::best_share(const Branch& branch, std::size_t places) const {
   std::size_t best = 1;
   for (std::size_t share = 2; share < places; ++share) {
@@ -95,7 +95,7 @@ std::size_t BoxHierarchy::best_share(const Branch& branch, std::size_t places) c
   return best;
 }
 
-// Sets the costs of a branch from those of its halves.
+// Sets the costs of a branch from the costs of its halves.
 void BoxHierarchy::set_costs(Branch& branch) const {
   if (branch.halves == 0) return;
   const auto cost_in = [&](std::size_t places) { return cost_of_halves(branch, places, best_share(branch, places)); };
@@ -104,7 +104,8 @@ void BoxHierarchy::set_costs(Branch& branch) const {
     branch.costs[places - 1] = std::min(branch.costs[places - 2], cost_in(places));
 }
 
-// Chooses what of a branch some places of a node should hold. The recursion is not deep: each call gets fewer places.
+// Chooses which parts of a branch fill the given number of places of a node. Each recursive call gets fewer places, so
+// the recursion is not deep.
 void BoxHierarchy::choose(std::uint32_t index, std::size_t places, Chosen& chosen, std::size_t& count) const {
   const Branch& branch = branches_[index];
   while (places > 1 && branch.costs[places - 1] == branch.costs[places - 2]) --places;
@@ -160,7 +161,7 @@ void BoxHierarchy::make_nodes() {
 
 void BoxHierarchy::build() {
   make_branches();
-  // Halves come behind the branch that they are halves of, so from the back they are known first.
+  // The halves of a branch come after it, so their costs are known first when going backwards.
   for (std::size_t i = branches_.size(); i-- > 0;) set_costs(branches_[i]);
   make_nodes();
 }

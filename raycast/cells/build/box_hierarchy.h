@@ -30,28 +30,28 @@ struct FloatBox {
   }
 };
 
-/// No box: its lower sides are beyond every coordinate, and above its upper ones.
+/// An empty place: its lower sides are above every coordinate, and its upper sides below.
 inline constexpr FloatBox no_box{{1000, 1000, 1000}, {-1000, -1000, -1000}};
 
-/// A conjunction in the hierarchy while that is made.
+/// A conjunction in the hierarchy, during construction.
 struct BoxedItem {
   FloatBox box;
   std::uint32_t index = 0;
 
-  /// Twice the middle of the box.
+  /// Twice the middle of the box along an axis.
   float middle(std::size_t axis) const { return box.lower[axis] + box.upper[axis]; }
 };
 
-/// Makes a hierarchy of boxes: a binary one by the surface area heuristic, of which parts are then joined to nodes of
-/// eight, so that lines meet as few nodes as possible.
+/// Makes a hierarchy of boxes. It is first a binary one by the surface area heuristic. Parts of it are then joined to
+/// nodes of eight children, so that lines meet as few nodes as possible.
 class BoxHierarchy {
  public:
-  /// The nodes are added to `nodes`, which is empty and must outlive this. Precondition: there are items.
+  /// The nodes are added to `nodes`, which must be empty and outlive this. Precondition: there are items.
   BoxHierarchy(std::vector<BoxedItem> items, std::vector<BoxNode>& nodes) : items_(std::move(items)), nodes_(nodes) {}
 
   void build();
-  /// The items in the order in which the nodes' children number them: those that lie next to each other are near in
-  /// memory then.
+  /// The items in the order in which the nodes' children number them. Items that lie next to each other in space are
+  /// then near in memory.
   const std::vector<BoxedItem>& order() const { return items_; }
 
  private:
@@ -64,8 +64,8 @@ class BoxHierarchy {
   // A node of the binary hierarchy. Its two halves lie side by side, behind it.
   struct Branch {
     Range range;
-    std::uint32_t halves = 0;  // the index of the first half; 0 if there is but one item
-    // costs[i] is the least area of all nodes below, if at most i + 1 places of a node hold what is here.
+    std::uint32_t halves = 0;  // the index of the first half; 0 if the branch has only one item
+    // costs[i] is the least area of all nodes below, if the content of this branch gets at most i + 1 places of a node.
     std::array<float, BoxNode::width> costs{};
   };
   using Chosen = std::array<std::uint32_t, BoxNode::width>;

@@ -14,7 +14,7 @@
 namespace csgcast::detail {
 namespace {
 
-// With fewer conjunctions cells are as good.
+// With fewer conjunctions cells are as fast.
 constexpr std::size_t fewest_conjunctions = 12;
 // These are the costs of a line in the units of CellData::cost, measured on unions of balls and of boxes, sparse and
 // crowded, and on plates with holes.
@@ -24,10 +24,10 @@ constexpr double cost_of_plane = 6;
 constexpr double cost_of_round = 4;
 constexpr double cost_of_quadric = 8;
 constexpr double cost_of_event = 1;
-// Boxes must be cheaper than cells by this factor.
+// Boxes must be cheaper than cells by at least this factor.
 constexpr double least_gain = 1.1;
 
-// Boxes are so much wider that neither their rounding nor that of rays in single precision loses any line.
+// Boxes are widened by this much. So neither their own rounding nor that of rays in single precision loses any line.
 constexpr double widening = 0x1p-18;
 
 double cost_of_test(LaneSurface::Kind kind) {
@@ -37,15 +37,15 @@ double cost_of_test(LaneSurface::Kind kind) {
                                          : cost_of_quadric;
 }
 
-// The leaf whose faces a surface makes, and what they show.
+// The leaf that the faces on a surface belong to, and the look that they show.
 struct Owner {
-  LeafId leaf;  // not valid if there are more
-  LookId look;  // not valid if that depends on the place
+  LeafId leaf;  // not valid if several leaves own the surface
+  LookId look;  // not valid if the look depends on the place
   bool is_known = false;
 };
 
-// The owners by surface. Conjunctions that hold nothing count, too: a surface may make a face of one of their leaves
-// where its side changes for that leaf alone.
+// Finds the owners by surface. Conjunctions that hold nothing count as well: a surface may be a face of one of their
+// leaves where its side changes for that leaf alone.
 std::vector<Owner> owners_of(const CellGround& ground, const Conjunctions& all) {
   const Scene& scene = ground.scene;
   const auto region_of = [&](const Conjunctions::Side& side) { return scene.leaf(side.leaf).region; };
@@ -70,7 +70,7 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
   constexpr std::uint32_t none = 0xffffffffu;
   BoxTree& tree = data.boxes;
   const std::vector<Owner> owners = owners_of(ground, all);
-  std::vector<std::uint32_t> first_side(owners.size(), none);  // by surface: the first side that has it
+  std::vector<std::uint32_t> first_side(owners.size(), none);  // by surface: the index of the first side that has it
   const auto add_side = [&](const Conjunctions::Side& from) {
     const std::size_t surface = from.surface.index();
     BoxedSide side{0, from.wants_positive, false};
@@ -78,7 +78,7 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
       first_side[surface] = static_cast<std::uint32_t>(tree.sides.size());
       side.slot = static_cast<std::uint32_t>(data.slots.size());
       LaneSurface shape = ground.surfaces[surface];
-      // Only in a cell there is a bound of what its form is off.
+      // The bound on the error of its form is known in a cell only.
       if (is_revolved(shape.kind)) shape.kind = LaneSurface::Kind::quadric;
       data.slots.emplace_back(shape, from.surface, owners[surface].leaf, owners[surface].look);
       tree.tolerance.allow_for(shape);
@@ -99,7 +99,7 @@ void add_conjunctions(const CellGround& ground, const Conjunctions& all, std::sp
   }
 }
 
-// Makes children that are balls tell the slot of their sphere, so that lines compute many of them side by side.
+// Marks children that are balls with the slot of their sphere, so that lines can compute many of them side by side.
 void mark_balls(const std::vector<Slot>& slots, BoxTree& tree) {
   if (slots.size() > BoxNode::most_slots) return;
   for (BoxNode& node : tree.nodes) {
@@ -122,7 +122,7 @@ std::optional<Brick> brick_of(const std::vector<Slot>& slots, std::span<const Bo
   Brick brick{};
   brick.lower[3] = -far;
   brick.upper[3] = far;
-  unsigned found = 0;  // a bit for each plane
+  unsigned found = 0;  // one bit for each plane
   for (const BoxedSide& side : sides) {
     const Slot& slot = slots[side.slot];
     if (side.is_shared || slot.kind > LaneSurface::Kind::plane_z) return std::nullopt;
@@ -148,15 +148,15 @@ void mark_bricks(const std::vector<Slot>& slots, BoxTree& tree) {
 std::optional<FloatBox> widened(const CellBox& box) {
   FloatBox result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (box.lower[axis] > box.upper[axis]) return std::nullopt;  // there is nothing of it in the box
+    if (box.lower[axis] > box.upper[axis]) return std::nullopt;  // the conjunction has nothing in the box
     result.lower[axis] = static_cast<float>(box.lower[axis] - widening);
     result.upper[axis] = static_cast<float>(box.upper[axis] + widening);
   }
   return result;
 }
 
-// The expected cost of the tests of a line that meets the box of everything. By Cauchy's formula the share of these
-// lines that meet a convex body in that box is the ratio of the two areas.
+// The expected cost of the tests of a line that meets the box of everything. By Cauchy's formula, the share of these
+// lines that meet a convex body in that box is the ratio of the two surface areas.
 double cost_of_tests(const CellGround& ground, const Conjunctions& all, const CellBox& everything,
                      std::span<const BoxedItem> items) {
   double cost = 0;

@@ -15,11 +15,13 @@ namespace {
 using Form = QuadricForm;
 using Row = CellAxes::Row;
 
-// Directions that are square to each other up to this are meant to be: scenes are written with six digits.
+// Directions that are square to each other up to this bound were meant to be square, because scenes are written with
+// six digits.
 constexpr long double nearly = 0x1p-13L;
-// Directions that are square to each other up to this are taken to be.
+// Directions that are square to each other up to this bound are treated as square.
 constexpr long double exactly = 0x1p-44L;
-// The axes must serve this many times the planes that the frame's own axes serve, and this share of all planes.
+// The axes must serve at least this many times the planes that the frame's own axes serve, and this share of all
+// planes.
 constexpr double least_gain = 1.5;
 constexpr double least_share = 0.25;
 
@@ -35,7 +37,7 @@ Row cross(const Row& a, const Row& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// The direction of the part of v that is square to a unit vector.
+// The direction of the component of v that is square to a unit vector.
 Row square_to(const Row& axis, Row v) {
   const long double along = dot(axis, v);
   for (std::size_t i = 0; i < 3; ++i) v[i] -= along * axis[i];
@@ -139,7 +141,8 @@ CellForm CellAxes::turned(const CellForm& form) const {
   result.c[Form::z] = linear.z;
   result.c[Form::one] = c[Form::one];
   result.center = turned(form.center);
-  // Coefficients are off by 2^-58 of all, and rounded; within 2 of the center the form is off by no more than this.
+  // Coefficients are off by 2^-58 of the sum of all, and are rounded. Within 2 of the center, the form is off by no
+  // more than this.
   double all = 0;
   for (std::size_t i = 0; i < Form::x; ++i) all += 4 * std::fabs(form.c[i]);
   for (std::size_t i = Form::x; i < Form::one; ++i) all += 2 * std::fabs(form.c[i]);
@@ -168,7 +171,7 @@ std::optional<CellAxes> common_axes(const Scene& scene) {
   };
   auto second = square_up_to(exactly);
   if (second == directions.end()) second = square_up_to(nearly);
-  // Without a second direction any will do.
+  // If there is no second direction, any direction will do.
   const std::size_t thinnest = static_cast<std::size_t>(
       std::min_element(first.begin(), first.end(),
                        [](long double a, long double b) { return std::fabs(a) < std::fabs(b); }) -

@@ -9,13 +9,13 @@
 
 namespace csgcast::detail {
 
-/// A cell is taken to be wider than itself by this much, in units of the frame, when it is decided which surfaces cross
-/// it. Rounding moves an event along a ray by at most twice `greatest_slack`, at a speed below 2 on each axis, and
-/// coordinates by less than 2^-48: the margin is far more than both.
+/// The surfaces that cross a cell are determined for a box that is wider than the cell by this margin, in units of the
+/// frame. Rounding moves an event along a ray by at most twice `greatest_slack`, at a speed below 2 on each axis, and
+/// it moves coordinates by less than 2^-48. The margin is far more than both.
 constexpr double cell_margin = 0x1p-28;
 
-/// A split that passes by a face keeps this distance from it. It is more than what cells and the boxes of leaves are
-/// widened by, so the face is seen to be on one side of the split only.
+/// A split that passes by a face keeps this distance from it. This is more than the widening of cells and of the boxes
+/// of leaves, so the face is seen on one side of the split only.
 constexpr double face_clearance = 0x1p-26;
 
 /// The box with all sides moved outward by a distance.
@@ -24,10 +24,10 @@ inline CellBox grown(const CellBox& box, double distance) {
   return {box.lower - more, box.upper + more};
 }
 
-/// A cell's box as wide as it is taken to be.
+/// A cell's box, widened by the margin.
 inline CellBox inflated(const CellBox& box) { return grown(box, cell_margin); }
 
-/// True if the two boxes share no point; boxes that touch share one.
+/// True if the two boxes share no point. Boxes that touch share one.
 inline bool apart(const CellBox& a, const CellBox& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (a.lower[axis] > b.upper[axis] || a.upper[axis] < b.lower[axis]) return true;
@@ -35,7 +35,7 @@ inline bool apart(const CellBox& a, const CellBox& b) {
   return false;
 }
 
-/// What two boxes share. If they are apart, a lower side of the result is above the upper one.
+/// The intersection of two boxes. If they are apart, a lower side of the result is above the upper one.
 inline CellBox intersection(const CellBox& a, const CellBox& b) {
   CellBox result;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -45,7 +45,7 @@ inline CellBox intersection(const CellBox& a, const CellBox& b) {
   return result;
 }
 
-/// The smallest box that holds two.
+/// The smallest box that holds both boxes.
 inline CellBox hull(const CellBox& a, const CellBox& b) {
   CellBox result;
   for (std::size_t axis = 0; axis < 3; ++axis) {

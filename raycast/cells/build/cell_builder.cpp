@@ -25,17 +25,17 @@ namespace csgcast::detail {
 namespace {
 
 constexpr int most_depth = 60;
-// Parts with so many leaves are built side by side, on so many levels of the tree.
+// The halves of a part with at least this many leaves are built side by side, on at most this many levels of the tree.
 constexpr std::size_t large = 64;
 constexpr int deepest_task = 5;
 
-// In turned axes coordinates are off by more, and surfaces are not quite where they are taken to be.
+// In turned axes coordinates have larger errors, and surfaces are not exactly where they are assumed to be.
 constexpr AxisBounds turned_bounds{0x1p-43, 0x1p-41, 0x1p-10, 0x1p-38};
 
 // Builds the kd-tree of one box with all its cells. Working memory of one thread.
 class CellBuilder {
  public:
-  // `leaves`: how many there are at most, which limits how much is tried in vain.
+  // `leaves` is an upper bound on the number of leaves. It limits the number of futile trials.
   CellBuilder(const CellGround& ground, std::size_t leaves)
       : ground_(ground),
         fold_(ground, BoxFold::Places::of_rays),
@@ -47,7 +47,7 @@ class CellBuilder {
 
   // Adds the tree of a box, and returns the expected cost of a ray through it.
   double build_inside(const Formula& whole, const CellBox& box);
-  // Adds the tree of all of space, with that of a box in the middle.
+  // Adds the tree of all of space, with the tree of a box in the middle.
   void build_everywhere(const Formula& whole, const CellBox& box);
   CellTree& tree() { return tree_; }
 
@@ -80,7 +80,8 @@ double CellBuilder::build_inside(const Formula& whole, const CellBox& box) {
   return build({{formula}, box});
 }
 
-// Six splits along the sides of the box: each cuts off an infinite cell, and what is left after the last is the box.
+// Makes six splits along the sides of the box. Each cuts off an infinite cell. What is left after the last split is the
+// box.
 void CellBuilder::build_everywhere(const Formula& whole, const CellBox& box) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   CellBox rest{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
@@ -89,7 +90,7 @@ void CellBuilder::build_everywhere(const Formula& whole, const CellBox& box) {
     CellBox box;
     Formula formula;
   };
-  std::vector<Above> above_all;  // splits whose lower child, the rest, comes first
+  std::vector<Above> above_all;  // the splits whose lower child, the rest, comes first
   Formula formula;
   for (std::size_t side = 0; side < 6; ++side) {
     const std::size_t axis = side / 2;
@@ -134,13 +135,13 @@ double CellBuilder::build(const Part& part) {
   const CellTree::Mark before = tree_.mark();
   const double cost = build_halves(part, *found, leaves.size());
   if (tree_.merge_constant(before)) return cost_of_cell(0);
-  const bool is_crowded = surfaces > Cell::most_slots;  // one cell would be left to the caster
+  const bool is_crowded = surfaces > Cell::most_slots;  // a single cell would be left to the caster
   if (cost < cost_of_cell(surfaces) || is_crowded) return cost;
   tree_.return_to(before);
   return maker_.add(content, box);
 }
 
-// Builds the two sides of a split, side by side if they are large.
+// Builds the two sides of a split. If they are large, they are built side by side.
 double CellBuilder::build_halves(const Part& part, const SplitSearch::Found& found, std::size_t leaves) {
   const CellContent& content = part.content;
   const CellBox& box = part.box;
@@ -174,8 +175,8 @@ double CellBuilder::build_halves(const Part& part, const SplitSearch::Found& fou
   return cost_of_node + share[0] * costs[0] + share[1] * costs[1];
 }
 
-// Makes `simpler` the formula without what others of its surfaces, those gathered last, imply in the box. False if that
-// is nothing.
+// Makes `simpler` the formula without what its other surfaces, as gathered last, imply in the box. Returns false if
+// nothing is implied.
 bool CellBuilder::leave_out_implied(const Formula& formula, const CellBox& box, Formula& simpler) {
   if (!ImpliedFold::is_worthwhile(formula, surfaces_)) return false;
   const CellBox wide = inflated(box);
@@ -185,17 +186,18 @@ bool CellBuilder::leave_out_implied(const Formula& formula, const CellBox& box, 
     const std::size_t surface = surfaces_[i].index();
     if (ground_.surfaces[surface].kind == LaneSurface::Kind::undecided) continue;
     LocalForm form = ground_.form_in(surface, wide);
-    // A ray that departs from a surface is on the side that it departs to, even if its start is not quite.
+    // A ray that departs from a surface is on the side that it departs to, even if its computed start is not exactly
+    // there.
     form.slack += cell_margin * steepness(form, half);
     implications_.add(i, form);
   }
   return implied_fold_.fold(formula, surfaces_, implications_, simpler);
 }
 
-// All that is known of the cells before there are any.
+// Describes what is known of the cells before any is built.
 CellData describe(const CellGround& ground, NodeId node, const Formula& whole) {
   const Scene& scene = ground.scene;
-  const Box& world = scene.node(node).box;  // has a margin of 2^-30 of its coordinates
+  const Box& world = scene.node(node).box;  // this has a margin of 2^-30 of its coordinates
   CellData data;
   data.box = ground.box;
   data.is_empty = world.is_null() || (whole.is_constant() && !whole.value);

@@ -15,12 +15,12 @@
 namespace csgcast::detail {
 
 /// Cuts the space of a scene's node into cells, each with the formula of the surfaces that cross it. `whole` is the
-/// formula of the node, `ground` is of the node. Sets all of the result but its `boxes`.
+/// formula of the node, and `ground` is its ground. Sets all of the result except its `boxes`.
 ///
-/// From the top down: a child's formula is its parent's, folded by what interval arithmetic shows to be constant in the
-/// child. Splits minimise the expected cost of a ray (the surface area heuristic); parts that turn out no cheaper than
-/// one cell become one. Large parts are built side by side by the threads that oneTBB has where it is called; the
-/// result does not depend on their number.
+/// The tree is built from the top down. A child's formula is its parent's, folded by what interval arithmetic shows to
+/// be constant in the child. Splits minimise the expected cost of a ray (the surface area heuristic). A part that turns
+/// out no cheaper than one cell becomes one cell. Large parts are built side by side by the threads that oneTBB has
+/// where this is called. The result does not depend on their number.
 CellData build_cells(const CellGround& ground, NodeId node, const Formula& whole);
 
 }  // namespace csgcast::detail

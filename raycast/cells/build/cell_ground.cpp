@@ -58,7 +58,7 @@ Sides CellGround::sides_of_points(SurfaceId id, const CellBox& b) const {
   return scene.surface(id).in_range ? sides_within(forms[id.index()], b) : sides_by_kind(id, b);
 }
 
-// Of a surface whose ten numbers decide nothing, or that has none: what its kind may know all the same.
+// For a surface whose ten numbers decide nothing, or that has none, the kind may still know the sides.
 Sides CellGround::sides_by_kind(SurfaceId id, const CellBox& b) const {
   const Surface& surface = scene.surface(id);
   return surface.kind->has_lanes ? Sides::both : surface.kind->sides_in(surface, scene.frame(), frame_box_of(b));
@@ -112,12 +112,12 @@ CellBox CellGround::tight_box_of(const Box& world) const {
   return axes ? axes->holding(straight) : straight;
 }
 
-// The box of a leaf. In turned axes it is made tighter by each half-space of the leaf that gives a box a side: planes
+// The box of a leaf. In turned axes it is made tighter by those half-spaces of the leaf that give a box a side: planes
 // square to an axis, spheres, and cylinders along an axis.
 CellBox CellGround::box_of_leaf(const Leaf& leaf, const Box& world) const {
   const CellBox straight = in_frame(world, scene.frame());
   if (!axes) return straight;
-  if (leaf.function != nullptr) return axes->holding(straight);  // it need not lie within its half-spaces
+  if (leaf.function != nullptr) return axes->holding(straight);  // such a leaf need not lie within its half-spaces
   CellBox result = axes->holding(straight);
   constexpr double margin = 0x1p-31;
   const auto cut = [&](std::size_t axis, double low, double high) {
@@ -144,12 +144,12 @@ CellBox CellGround::box_of_leaf(const Leaf& leaf, const Box& world) const {
   return result;
 }
 
-// The box of a node in turned axes, made from the boxes of its leaves. Nodes' children come before them.
+// The box of a node in turned axes, made from the boxes of its leaves. Children come before their nodes in the list.
 CellBox CellGround::turned_box_of(NodeId node) const {
   std::vector<CellBox> boxes(node.index() + 1);
   for (std::uint32_t id = 0; id <= node.index(); ++id) {
     const Node& at = scene.node(NodeId(id));
-    if (at.box.is_null() || !at.box.is_finite()) continue;  // nobody asks for it below
+    if (at.box.is_null() || !at.box.is_finite()) continue;  // nothing below this node is looked at
     if (at.op == Node::Op::leaf) {
       boxes[id] = leaf_boxes[at.first];
       continue;

@@ -15,12 +15,12 @@ namespace {
 struct Open {
   std::size_t end;
   Term::Op op;
-  bool is_top;  // it is the first operand of what is above, which is differences only
+  bool is_top;  // true if it is the first operand of the operators above, all of which are differences
   bool is_subtracted;
   bool has_first;
 };
 
-// Adds a leaf to the last conjunction; false if lanes cannot take the result.
+// Adds a leaf to the last conjunction. Returns false if lanes cannot compute the result.
 bool add_leaf(const CellGround& ground, std::span<const Term> leaf, Conjunctions& result) {
   const LeafId id(leaf.front().what);
   Conjunctions::Part& part = result.parts.back();
@@ -31,7 +31,7 @@ bool add_leaf(const CellGround& ground, std::span<const Term> leaf, Conjunctions
     const auto same =
         std::find_if(own.begin(), own.end(), [&](const auto& side) { return side.surface == term.surface(); });
     if (same != own.end()) {
-      // Both sides share nothing but a face without a thickness.
+      // The two sides share only a face without thickness.
       if (same->wants_positive != term.wants_positive()) part.box.upper.x = -HUGE_VAL;
       same->is_one = same->is_one && same->leaf == id;
       continue;

@@ -15,11 +15,11 @@ struct Conjunctions {
     SurfaceId surface;
     LeafId leaf;
     bool wants_positive = false;
-    bool is_one = true;  ///< no other leaf of the conjunction has the surface
+    bool is_one = true;  ///< true if no other leaf of the conjunction has the surface
   };
-  /// One conjunction: it holds where its sides [first, first + count) do.
+  /// One conjunction. It holds where all of its sides [first, first + count) do.
   struct Part {
-    CellBox box;  ///< holds the conjunction; a lower side is above the upper one if that is empty
+    CellBox box;  ///< holds the conjunction; if that is empty, a lower side is above the upper one
     std::uint32_t first = 0;
     std::uint16_t count = 0;
     bool is_subtracted = false;
@@ -29,8 +29,8 @@ struct Conjunctions {
   std::vector<Side> sides;
 };
 
-/// A formula as such a union, as far as it matters in the box `everything`. Nothing if the formula is not like that, or
-/// has a surface that lanes cannot compute.
+/// The formula as such a union, as far as it matters in the box `everything`. Returns nothing if the formula is not of
+/// this shape, or has a surface that lanes cannot compute.
 std::optional<Conjunctions> conjunctions_of(const CellGround& ground, const Formula& formula,
                                             const CellBox& everything);
 

@@ -11,7 +11,7 @@ constexpr std::size_t most_entries = 128;
 }  // namespace
 
 HolderTree::HolderTree(const Scene& scene, NodeId root) {
-  // A node that is still to be laid out, and the entry whose operand it is.
+  // A node that still has to be laid out, and the entry that it is an operand of.
   struct Open {
     NodeId node;
     std::size_t parent;
@@ -58,7 +58,8 @@ HolderTree::HolderTree(const Scene& scene, NodeId root) {
   is_small_ = true;
 }
 
-// Sets the value of each entry. Operands come after their operators, so from the back they are known first.
+// Sets the value of each entry. Operands come after their operators, so their values are known first when going
+// backwards.
 void HolderTree::evaluate(Search& search, const std::function<Truth(LeafId)>& leaf) const {
   std::vector<Truth>& value = search.value;
   value.assign(entries_.size(), Truth::unknown);
@@ -81,7 +82,7 @@ void HolderTree::evaluate(Search& search, const std::function<Truth(LeafId)>& le
         value[i] = no > 0 ? Truth::no : yes == operands ? Truth::yes : Truth::unknown;
         break;
       case Entry::Op::subtract:
-        value[i] = no > 0 ? Truth::no : Truth::unknown;  // what is subtracted is not looked at
+        value[i] = no > 0 ? Truth::no : Truth::unknown;  // operands that are subtracted are ignored
         break;
       case Entry::Op::other:
         break;
@@ -89,8 +90,8 @@ void HolderTree::evaluate(Search& search, const std::function<Truth(LeafId)>& le
   }
 }
 
-// Gathers the leaves that may hold a place inside the solid, and marks those that surely do. If an intersection holds
-// the place, all its operands do; if a union does, those operands do that are true there.
+// Gathers the leaves that may hold a place inside the solid, and marks those that certainly do. If an intersection
+// holds the place, all its operands do. If a union does, those operands do that are true there.
 void HolderTree::gather(Search& search) const {
   search.candidates.clear();
   enum : std::uint8_t { out, maybe, sure };

@@ -10,11 +10,11 @@
 
 namespace csgcast::detail {
 
-/// The part of a scene's tree that can hold places: it lacks what is subtracted. A cut shows the look of the first
+/// The part of a scene's tree that can hold places. Subtracted operands are left out. A cut shows the look of the first
 /// leaf, in file order, that holds the place and that nothing subtracts (Neighbourhood::holding_leaf).
 class HolderTree {
  public:
-  HolderTree() = default;  ///< for scenes without cuts: it knows nothing of them
+  HolderTree() = default;  ///< for scenes without cuts: the tree is empty
   HolderTree(const Scene& scene, NodeId root);
 
   /// Working memory of one thread.
@@ -27,15 +27,15 @@ class HolderTree {
     std::vector<Candidate> candidates;
   };
 
-  /// What cuts show in some part of space.
+  /// The look of cuts in some part of space.
   struct Shown {
-    bool is_one = false;       ///< every holder there looks the same; false as well if there are too many to ask
-    LookId look;               ///< the look of all holders, if it is one; not valid if there is no holder
-    bool may_be_none = false;  ///< some place may have no holder; a cut shows its region's look there
+    bool is_one = false;  ///< true if every holder there looks the same; also false if there are too many to examine
+    LookId look;          ///< the look of all holders, if is_one; not valid if there is no holder
+    bool may_be_none = false;  ///< true if some place may have no holder; a cut shows its region's look there
   };
 
-  /// What cuts show in a part of space. `leaf` tells if a leaf holds all of that part, nothing of it, or, as far as is
-  /// known, some.
+  /// The look of cuts in a part of space. `leaf` tells if a leaf holds all of that part, nothing of it, or some of it
+  /// as far as is known.
   Shown shown(const Scene& scene, Search& search, const std::function<Truth(LeafId)>& leaf) const;
 
  private:

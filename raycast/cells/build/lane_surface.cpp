@@ -10,8 +10,8 @@
 #include "raycast/cells/build/cell_data.h"
 #include "raycast/surface/kind.h"
 
-// By the constants here lanes know what is certain. They hold for rays whose point near the frame's center lies within
-// |q| <= 4, and for events within |tau| <= 8 of it. They are derived in docs/accuracy.md, "Lanes".
+// From the constants here lanes know what is certain. The constants are valid for rays whose point near the frame's
+// center lies within |q| <= 4, and for events within |tau| <= 8 of it. They are derived in docs/accuracy.md, "Lanes".
 
 namespace csgcast::detail {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 using Form = QuadricForm;
 constexpr double u = 0x1p-53;
 
-// A plane that is square to an axis of turned cells but for rounding; `undecided` if the plane is not.
+// Makes a plane that is square to an axis of turned cells up to rounding. Returns `undecided` if the plane is not.
 LaneSurface nearly_square_plane(const CellForm& turned) {
   LaneSurface lane;
   const Vector n{turned.c[Form::x], turned.c[Form::y], turned.c[Form::z]};
@@ -48,7 +48,7 @@ LaneSurface plane(const Surface& surface, const CellForm* turned) {
     if (size != longest(n) || surface.first_degree != size) continue;
     lane.kind = static_cast<LaneSurface::Kind>(axis);
     lane.c = {-w / n[axis], n[axis] > 0 ? 1.0 : -1.0};
-    // Farther out the bounds would not hold; nothing looks at planes there.
+    // Farther out the bounds would not be valid, and no code looks at planes there.
     if (!(std::fabs(lane.c[0]) < 1)) lane.kind = LaneSurface::Kind::undecided;
     return lane;
   }
@@ -59,8 +59,8 @@ LaneSurface plane(const Surface& surface, const CellForm* turned) {
   return lane;
 }
 
-// The difference of a form's second degree from `square` times the given shares of x², y² and z², in units of `square`:
-// the sum of the magnitudes of all coefficients.
+// The difference between a form's second degree and `square` times the given shares of x², y² and z². It is the sum of
+// the magnitudes of all coefficients, in units of `square`.
 double unevenness(const Surface::Coefficients& k, double square, std::array<double, 3> shares) {
   double sum = std::fabs(k[Form::xy]) + std::fabs(k[Form::xz]) + std::fabs(k[Form::yz]);
   for (std::size_t i = 0; i < 3; ++i) sum += std::fabs(k[Form::xx + i] - shares[i] * square);
@@ -79,7 +79,7 @@ LaneSurface sphere(const Surface& surface) {
   const Vector center = surface.center + to_center;
   const double radius_squared = dot(to_center, to_center) - k[Form::one] / a;
   if (!(radius_squared > 0) || !(radius_squared < 1) || !(longest(center) < 1)) return lane;
-  // A sphere that was turned is not quite one, which the discriminant's bound has to cover.
+  // A sphere that was turned is not exactly a sphere. The discriminant's bound has to cover that.
   const double radius = std::sqrt(radius_squared);
   const double reach = radius + longest(to_center);
   const double uneven = unevenness(k, a, {1, 1, 1});
@@ -91,7 +91,8 @@ LaneSurface sphere(const Surface& surface) {
   return lane;
 }
 
-// A cylinder x² + y² = r² about a center, or the same along another axis. In turned cells it is so but for rounding.
+// Makes a cylinder x² + y² = r² about a center, or the same along another axis. In turned cells it is one up to
+// rounding.
 LaneSurface cylinder(const CellForm& form, bool is_turned, std::size_t axis) {
   const auto& k = form.c;
   LaneSurface lane;
@@ -112,7 +113,7 @@ LaneSurface cylinder(const CellForm& form, bool is_turned, std::size_t axis) {
   if (!(radius_squared > 0x1p-40) || !(radius_squared < 1) || !(longest(center) < 1)) return lane;
   double least = 0x1p-17 * radius_squared;
   if (is_turned) {
-    // Nothing in the cells is farther than 2.5 from the center of the form.
+    // Everything in the cells is within 2.5 of the center of the form.
     const double off = 6.25 * (uneven / u + 4) + 2.5 * (lean / u + 1) + 400 * std::sqrt(radius_squared);
     least = std::fmax(least, 0x1p-30 * off * off);
     if (least > 0x1p-6 * radius_squared) return lane;
@@ -122,7 +123,7 @@ LaneSurface cylinder(const CellForm& form, bool is_turned, std::size_t axis) {
   return lane;
 }
 
-// A cone, hyperboloid or spheroid x² + y² - κ z² = ρ from a center, or the same along another axis.
+// Makes a cone, hyperboloid or spheroid x² + y² - κ z² = ρ about a center, or the same along another axis.
 LaneSurface revolved(const Surface& surface, std::size_t axis) {
   const auto& k = surface.local;
   LaneSurface lane;
@@ -142,7 +143,7 @@ LaneSurface revolved(const Surface& surface, std::size_t axis) {
   const double size = across + std::fabs(kappa) * along + std::fabs(constant);
   // Smaller quadrics would leave too many rays to the caster.
   if (!(std::fmax(std::fabs(kappa) * along, std::fabs(rho)) > 0x1p-32)) return lane;
-  // The last term is there so that lanes are certain of nothing that the filter about surface.center does not know.
+  // The last term makes sure that lanes are certain only of what the filter about surface.center knows as well.
   const double filter = 0x1p-54 * std::fmax(1, std::fabs(kappa)) * std::sqrt(longest(to_center) + 0x1p-16);
   const double off = 32 * u * size + 4 * u * std::fabs(rho) + filter;
   lane.kind = static_cast<LaneSurface::Kind>(static_cast<std::size_t>(LaneSurface::Kind::revolved_x) + axis);
@@ -152,9 +153,9 @@ LaneSurface revolved(const Surface& surface, std::size_t axis) {
 
 // True if a line may be certain to meet the surface twice within `greatest_slack`.
 bool may_have_twins(const LaneSurface& surface, bool departs) {
-  // If the crossings of a round surface are certain, they are 2^-11 of its radius apart or more.
+  // If the crossings of a round surface are certain, they are at least 2^-11 of its radius apart.
   constexpr double least_radius = 0x1p14 * greatest_slack;
-  // Those of a quadric about an axis are 2^-29 apart or more, but for rays that depart: they take it for any quadric.
+  // The crossings of a quadric about an axis are at least 2^-29 apart. Rays that depart treat it as a general quadric.
   return surface.kind == LaneSurface::Kind::quadric || (departs && is_revolved(surface.kind)) ||
          (is_round(surface.kind) && surface.c[3] < least_radius * least_radius);
 }
@@ -170,14 +171,14 @@ void Tolerance::allow_for(const LaneSurface& surface) {
 }
 
 double revolved_off(const LaneSurface& surface, const CellBox& box) {
-  // Nothing farther than this from its center matters.
+  // Points farther than this from its center do not matter.
   constexpr double greatest_reach = 4;
   double squared = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double part = std::fmax(surface.c[axis] - box.lower[axis], box.upper[axis] - surface.c[axis]);
     squared += part * part;
   }
-  // Cells are taken to be wider than they are.
+  // Cells are treated as wider than they are.
   const double reach = std::fmin(std::sqrt(squared) + 0x1p-20, greatest_reach);
   const double unit = u * std::fmax(1, std::fabs(surface.c[3]));
   const double off = unit * (64 * reach + 704) * reach + std::fabs(surface.c[5]);
@@ -195,7 +196,7 @@ LaneSurface make_lane_surface(const Surface& surface, const CellForm* turned) {
     if (lane.kind != LaneSurface::Kind::undecided) return lane;
   }
   LaneSurface lane;
-  // The bounds count the reach of quadrics from centers within the frame's cube.
+  // The bounds assume that the centers of quadrics are within the frame's cube.
   if (!(longest(surface.center) < 0.75)) return lane;
   for (std::size_t axis = 0; turned == nullptr && axis < 3; ++axis) {
     lane = revolved(surface, axis);

@@ -14,7 +14,7 @@ namespace {
 
 using Form = QuadricForm;
 
-// The axes of a section whose normal is given, as rows: the third is the normal; the second leads upwards (along z), or
+// The axes of a section with a given normal, as rows. The third is the normal. The second leads upwards (along z), or
 // along y if the section is seen from above or below.
 CellAxes axes_about(Vector normal) {
   using Row = CellAxes::Row;
@@ -35,7 +35,7 @@ CellAxes axes_about(Vector normal) {
   return axes;
 }
 
-// The form at one height, which may be off by `off`: the result does not depend on z.
+// The form at one height, which may be off by `off`. The result does not depend on z.
 CellForm at_height(const CellForm& form, long double z, double off, const CellBox& box) {
   const auto& c = form.c;
   const long double d = z - form.center.z;
@@ -51,7 +51,7 @@ CellForm at_height(const CellForm& form, long double z, double off, const CellBo
   const Vector half = 0.5 * (there.upper - there.lower);
   const double slope = std::fabs(here.gradient.z) + std::fabs(c[Form::xz]) * half.x + std::fabs(c[Form::yz]) * half.y;
   flat.off = here.slack + off * (slope + std::fabs(c[Form::zz]) * off);
-  // Of a plane that lies in the section's the side just beyond counts, along the normal.
+  // If a plane of the solid lies in the section's plane, the side just beyond it along the normal counts.
   bool is_plane = true;
   for (std::size_t i = 0; i < Form::x; ++i) is_plane = is_plane && c[i] == 0;
   const double most = std::fabs(flat.c[Form::one]) + 8 * (std::fabs(flat.c[Form::x]) + std::fabs(flat.c[Form::y]));
@@ -69,7 +69,7 @@ SectionGround section_ground(const CellGround& of, NodeId node, Vector normal, d
   const Scene& scene = of.scene;
   const Frame& frame = scene.frame();
   const CellAxes axes = axes_about(normal);
-  // The height is the distance of the plane from the frame's center, in units of the frame.
+  // The height is the distance of the plane from the frame's center, in the frame's units.
   const int exponent = std::ilogb(longest(normal));
   const Vector n{std::scalbn(normal.x, -exponent), std::scalbn(normal.y, -exponent), std::scalbn(normal.z, -exponent)};
   long double height = std::scalbn(static_cast<long double>(distance), -exponent);
@@ -81,7 +81,7 @@ SectionGround section_ground(const CellGround& of, NodeId node, Vector normal, d
     squared += static_cast<long double>(n[i]) * n[i];
   }
   height = std::scalbn(height / std::sqrt(squared), -frame.exponent);
-  // Where the scene is far from the origin, products and sums round: by no more than this, whatever a long double is.
+  // If the scene is far from the origin, products and sums round. This bounds the rounding for any kind of long double.
   constexpr double rounding = 8 * static_cast<double>(std::numeric_limits<long double>::epsilon());
   const double off = rounding * static_cast<double>(std::scalbn(terms / std::sqrt(squared), -frame.exponent));
 

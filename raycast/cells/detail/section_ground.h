@@ -11,12 +11,12 @@ namespace csgcast::detail {
 
 struct SectionGround {
   std::shared_ptr<const CellGround> ground;
-  bool misses = false;  ///< the plane does not meet the node
+  bool misses = false;  ///< true if the plane does not meet the node
 };
 
-/// A ground for the section of a node with the plane normal . p = distance, made from the node's ground. Its axes x and
-/// y are in the plane; no surface depends on z, which goes from -1/2 to 1/2. Preconditions: the node is bounded, and
-/// the normal is not zero.
+/// A ground for the section of a node with the plane normal . p = distance. It is made from the node's ground. Its axes
+/// x and y are in the plane. No surface depends on z, which goes from -1/2 to 1/2. Preconditions: the node is bounded,
+/// and the normal is not zero.
 SectionGround section_ground(const CellGround& of, NodeId node, Vector normal, double distance);
 
 }  // namespace csgcast::detail

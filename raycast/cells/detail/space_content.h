@@ -9,7 +9,7 @@
 
 namespace csgcast {
 
-/// What the tree comes to in a space.
+/// The content of a space: the part of the tree that matters in it.
 struct Space::Content {
   std::shared_ptr<const detail::CellGround> ground;
   detail::Formula formula;

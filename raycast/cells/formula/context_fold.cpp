@@ -16,8 +16,8 @@ void ContextFold::visit(std::size_t at, const Literals& context) {
   any_ = true;
 }
 
-// Visits each operand with what is known from those before it, as they are by now, and from those after it, as they
-// were.
+// Visits each operand with what is known from the other operands: from those before it as they are now, and from those
+// after it as they were.
 void ContextFold::visit_operands(std::size_t at, const Literals& context) {
   const Term::Op op = terms_[at].op;
   const std::size_t end = at + terms_[at].size;
@@ -25,7 +25,7 @@ void ContextFold::visit_operands(std::size_t at, const Literals& context) {
   std::vector<Told> told;  // by operand
   std::vector<Literals> later(1);
   for (std::size_t operand = at + 1; operand < end; operand += terms_[operand].size) told.push_back(told_by(operand));
-  // The value depends on an operand of a difference only where the first one holds, and none of the others does.
+  // The value depends on an operand of a difference only where the first operand holds, and none of the others does.
   const auto must_hold = [op](std::size_t k) {
     return op == Term::Op::intersect || op == Term::Op::leaf || (op == Term::Op::subtract && k == 0);
   };
@@ -42,7 +42,7 @@ void ContextFold::visit_operands(std::size_t at, const Literals& context) {
   }
 }
 
-// Drops an operand of a union that is a leaf within another leaf of it. False if it is not.
+// Drops an operand of a union if it is a leaf within another leaf of the union. Returns false if it is not.
 bool ContextFold::drop_covered(const std::vector<Told>& told, std::size_t operand, std::size_t at,
                                const Literals& context) {
   constexpr std::size_t most_compared = 64;
@@ -56,7 +56,7 @@ bool ContextFold::drop_covered(const std::vector<Told>& told, std::size_t operan
   return false;
 }
 
-// What a leaf, or one half-space, tells by those of its half-spaces that are still open.
+// What a leaf, or a single half-space, tells by those of its half-spaces that are still open.
 ContextFold::Told ContextFold::told_by(std::size_t at) const {
   const Term::Op op = terms_[at].op;
   if (op != Term::Op::leaf && op != Term::Op::half_space) return {};

@@ -27,8 +27,8 @@ class Layout {
     return *this;
   }
 
-  /// Lays out the tree below a node, behind what is there. False if there are more terms then: it was broken off, and
-  /// the formula is no longer valid.
+  /// Lays out the tree below a node, behind the terms that exist. Returns false if there are more terms than
+  /// `most_terms` then. In that case it stopped early, and the formula is no longer valid.
   bool run(NodeId root, std::size_t most_terms = SIZE_MAX) {
     visit(root);
     while (!open_.empty()) {
@@ -80,7 +80,7 @@ class Layout {
     open_.push_back({scene_.children(node), 0, start});
   }
 
-  // Adds an operator without operands: a union of none is empty, an intersection of none is everything.
+  // Adds an operator without operands: an empty union is nothing, an empty intersection is everything.
   void add_constant(bool value) { formula_.terms.push_back({1, 0, value ? Term::Op::intersect : Term::Op::unite}); }
 
   const Scene& scene_;
@@ -91,7 +91,7 @@ class Layout {
   std::vector<Open> open_;
 };
 
-// Adds an operand; a constant is an operator without operands.
+// Adds an operand. A constant becomes an operator without operands.
 void append(Formula& whole, const Formula& operand) {
   if (!operand.is_constant()) {
     whole.terms.insert(whole.terms.end(), operand.terms.begin(), operand.terms.end());
@@ -154,7 +154,7 @@ std::optional<Formula> formula_of_effect(const Scene& scene, NodeId root, NodeId
   const Formula own = tree(node, NodeId());
   if (!is_short) return std::nullopt;
   // The value differs where one of the two trees holds and the other does not. That is inside the node, or outside of
-  // it if it becomes everything.
+  // it if the node becomes everything.
   return joined(Term::Op::intersect, [&](Formula& whole) {
     append(whole, as_everything ? joined(Term::Op::complement, [&](Formula& outside) { append(outside, own); }) : own);
     append(whole, joined(Term::Op::unite, [&](Formula& either) {
@@ -195,7 +195,7 @@ void Folder::keep() {
   ++open_.back().seen;
 }
 
-// Takes an operand of the operator on top for constant. The operator, and those above it, may become so by that.
+// Treats an operand of the operator on top as a constant. This may make the operator, and those above it, constant.
 void Folder::settle(bool value) {
   while (!open_.empty()) {
     Operator& top = open_.back();
@@ -210,7 +210,7 @@ void Folder::settle(bool value) {
       case Term::Op::subtract:
         absorbs = (top.seen == 0) != value;
         if (!absorbs && top.seen == 0) {
-          top.op = Term::Op::complement;  // it is everything less the second operand
+          top.op = Term::Op::complement;  // the operator is everything less the second operand now
           result_->terms[top.start].op = Term::Op::complement;
         }
         if (absorbs) value = false;
@@ -252,7 +252,7 @@ void Folder::close(const Operator& top) {
   }
   const bool is_plain = top.kept == 1 && top.op != Term::Op::leaf && top.op != Term::Op::complement;
   if (is_plain) {
-    // The one operand that is left stands for the operator.
+    // The only operand that is left replaces the operator.
     terms.erase(terms.begin() + top.start);
   } else {
     terms[top.start].size = static_cast<std::uint32_t>(terms.size()) - top.start;

@@ -20,19 +20,19 @@ struct Term {
   enum class Op : std::uint8_t { unite, intersect, subtract, complement, leaf, half_space };
 
   std::uint32_t size = 1;  ///< the number of entries of the term: itself and its operands
-  /// A leaf's LeafId; twice a half-space's SurfaceId, or the number of a leaf's own literal (leaf_terms.h), plus 1 for
-  /// the positive side.
+  /// For a leaf, its LeafId. For a half-space, twice its SurfaceId, or twice the number of a leaf's own literal
+  /// (leaf_terms.h), plus 1 for the positive side.
   std::uint32_t what = 0;
   Op op = Op::unite;
-  bool is_wider = false;  ///< a leaf lacks half-spaces which matter to it, but not to the formula
+  bool is_wider = false;  ///< true if the leaf lacks half-spaces that matter to it, but not to the formula
 
   SurfaceId surface() const { return SurfaceId(what >> 1); }
   bool wants_positive() const { return (what & 1) != 0; }
 };
 
-/// A scene's tree over half-spaces, as far as it is not constant in some part of space. Terms are in prefix order; a
-/// leaf's term is the conjunction of its half-spaces, and a leaf that is no conjunction has several. Without terms the
-/// formula is the constant `value`.
+/// A scene's tree over half-spaces, as far as it is not constant in some part of space. Terms are in prefix order. A
+/// leaf's term is the conjunction of its half-spaces. A leaf that is not a conjunction has several terms. A formula
+/// without terms is the constant `value`.
 struct Formula {
   std::vector<Term> terms;
   bool value = false;
@@ -42,30 +42,31 @@ struct Formula {
 
 /// The whole tree below a node.
 Formula formula_of(const Scene& scene, NodeId node);
-/// The tree below a node less those below other nodes.
+/// The tree below a node, less the trees below other nodes.
 Formula formula_of_difference(const Scene& scene, NodeId node, std::span<const NodeId> less);
-/// What the trees below two nodes share.
+/// The intersection of the trees below two nodes.
 Formula formula_of_common(const Scene& scene, NodeId a, NodeId b);
-/// The space in which the tree below a root would have another value if one of its nodes were empty, or everything. It
-/// is right in the box `near` only: nodes that do not meet the box are taken to be empty. Nothing if the tree takes
-/// more than `most_terms` terms all the same.
+/// The space in which the tree below a root would have another value if one of its nodes were empty, or everything. The
+/// result is correct in the box `near` only: nodes that do not meet the box are taken to be empty. Returns nothing if
+/// the tree still takes more than `most_terms` terms.
 std::optional<Formula> formula_of_effect(const Scene& scene, NodeId root, NodeId node, bool as_everything,
                                          const Box& near, std::size_t most_terms);
 
-/// What a half-space comes to where a formula is folded.
+/// The value of a half-space where a formula is folded.
 struct FoldedTerm {
   Truth value;
-  /// The terms that stand for it, and for the leaf that it is all of, if the value is unknown. None: it stays.
+  /// The terms that replace it, and the leaf that consists of it only, if the value is unknown. If there are none, it
+  /// stays.
   std::span<const Term> instead{};
 };
 
-/// Rewrites a formula, given what is known of its leaves and half-spaces: the result is equivalent in every state of
-/// the surfaces that stay open. It takes one pass over the terms, with a stack of its own: trees may be a million deep.
-/// Keeps its memory.
+/// Rewrites a formula, given what is known of its leaves and half-spaces. The result is equivalent in every state of
+/// the surfaces that stay open. It takes one pass over the terms, with a stack of its own, because trees may be a
+/// million deep. The object keeps its memory.
 class Folder {
  public:
-  /// `leaf(term)` tells a Truth, `half_space(term)` a Truth or a FoldedTerm. Unless a leaf is known to hold nothing,
-  /// its half-spaces are asked for. Precondition: `from` and `result` are two formulas.
+  /// `leaf(term)` returns a Truth, `half_space(term)` a Truth or a FoldedTerm. The half-spaces of a leaf are asked for,
+  /// unless the leaf is known to hold nothing. Precondition: `from` and `result` are different formulas.
   template <class LeafKnown, class HalfSpaceKnown>
   void fold(const Formula& from, Formula& result, LeafKnown&& leaf, HalfSpaceKnown&& half_space) {
     begin(from, result);
@@ -76,7 +77,7 @@ class Folder {
         at_ += term.size;
         settle(false);
       } else if (term.op == Term::Op::half_space || (is_leaf && term.size == 2)) {
-        // The term is a half-space, or a leaf of one.
+        // The term is a half-space, or a leaf with a single half-space.
         const std::span<const Term> whole(&term, term.size);
         at_ += term.size;
         if constexpr (std::is_same_v<decltype(half_space(term)), Truth>) {
@@ -99,7 +100,7 @@ class Folder {
     std::uint32_t kept;   // number of operands that stay
     std::uint32_t seen;   // number of operands so far
     Term::Op op;
-    bool is_merged;  // it has no term of its own, as the operator above is the same
+    bool is_merged;  // true if it has no term of its own, because the operator above is the same
   };
 
   void begin(const Formula& from, Formula& result);
@@ -116,8 +117,8 @@ class Folder {
   bool done_ = false;
 };
 
-/// Computes the value of a formula, given that of each half-space, `half_space(term)`: 64 truth values side by side in
-/// a word. Keeps its memory. Precondition: the formula is not constant.
+/// Computes the value of a formula, given `half_space(term)` for each half-space: 64 truth values side by side in a
+/// word. The object keeps its memory. Precondition: the formula is not constant.
 class FormulaValue {
  public:
   template <class HalfSpaceWord>

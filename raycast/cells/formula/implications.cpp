@@ -14,7 +14,7 @@ void Implications::begin(std::size_t count, Vector half) {
   for (std::size_t literal = 0; literal < 2 * count; ++literal) implied_[literal] = Literals().set(literal);
 }
 
-// Notes that one literal implies another, and the contrary of that the contrary of the first.
+// Notes that one literal implies another, and also the contraposition.
 void Implications::note(std::size_t literal, std::size_t other) {
   implied_[literal].set(other);
   implied_[other ^ 1].set(literal ^ 1);
@@ -29,8 +29,8 @@ void Implications::add(std::size_t i, const LocalForm& form) {
     const std::size_t j = other.surface;
     const std::uint32_t there = other.corners;
     const Likeness between = likeness(form, other.form, half_);
-    // Most implications are refuted by the corners. Where rounding gets a sign wrong there, the form is within its
-    // slack of 0, and nothing is implied anyway.
+    // The corners refute most implications. If rounding makes a sign wrong there, the form is within its slack of 0,
+    // and nothing is implied anyway.
     if ((here & ~there) == 0 && implies({form}, {other.form}, half_, between, own)) note(2 * i, 2 * j);
     if ((there & ~here) == 0 && implies({other.form}, {form}, half_, between, other.own)) note(2 * j, 2 * i);
     if ((there & here) == 0 && implies({other.form}, {form, -1}, half_, between, other.own)) note(2 * j, 2 * i + 1);

@@ -12,26 +12,26 @@
 
 namespace csgcast::detail {
 
-/// Tells which sides of some surfaces lie within sides of others in a box. The literal 2 i + 1 is the i-th surface's
-/// positive side, 2 i its negative one. Keeps its memory.
+/// Tells which sides of some surfaces lie within sides of others in a box. The literal 2 i + 1 is the positive side of
+/// the i-th surface, and 2 i its negative side. The object keeps its memory.
 class Implications {
  public:
-  /// The greatest number of surfaces: more are seldom near each other, and the time goes by their square.
+  /// The greatest number of surfaces. More are seldom near each other, and the time goes by the square of the number.
   static constexpr std::size_t most = 32;
   using Literals = std::bitset<2 * most>;
 
-  /// Forgets all, and begins with `count` surfaces in a box, of whose sides `half` is half.
+  /// Forgets everything, and begins with `count` surfaces in a box. `half` is half of the box's sides.
   void begin(std::size_t count, Vector half);
-  /// Adds the i-th surface by its form about the box's middle: it is compared with those that came before. Does nothing
-  /// in an infinite box.
+  /// Adds the i-th surface by its form about the box's middle. It is compared with the surfaces that came before. In an
+  /// infinite box this does nothing.
   void add(std::size_t i, const LocalForm& form);
 
   /// True if some literal implies another one.
   bool any() const { return any_; }
   /// The literals that hold wherever a literal does, itself included.
   const Literals& by(std::size_t literal) const { return implied_[literal]; }
-  /// The states that the surfaces are in nowhere in the box: bit i of a state says that the i-th surface is positive.
-  /// Precondition: there are at most eight surfaces.
+  /// The states that occur nowhere in the box. Bit i of a state says that the i-th surface is positive. Precondition:
+  /// there are at most eight surfaces.
   TruthTable impossible_states() const;
 
  private:

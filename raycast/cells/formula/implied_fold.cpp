@@ -35,13 +35,13 @@ void ImpliedFold::set_literals(const Formula& formula, const SurfaceSet& surface
   }
 }
 
-// Finds the surfaces that may be taken to have one sign everywhere, by the formula's values in all states. False if
-// there are none.
+// Finds the surfaces that may be assumed to have one sign everywhere, by the formula's values in all states. Returns
+// false if there are none.
 bool ImpliedFold::find_needless(const Formula& formula, const SurfaceSet& surfaces, const Implications& implications) {
   table_.tabulate(formula, surfaces);
   TruthTable table = table_.as_function();
   const TruthTable impossible = implications.impossible_states();
-  std::array<Truth, TruthTable::most_values> positive;  // by surface: the sign that it may be taken to have
+  std::array<Truth, TruthTable::most_values> positive;  // by surface: the sign that it may be assumed to have
   positive.fill(Truth::unknown);
   bool any = false;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -64,7 +64,7 @@ bool ImpliedFold::find_needless(const Formula& formula, const SurfaceSet& surfac
   return true;
 }
 
-// Marks the leaves of which half-spaces were left out that need not hold where the other half-spaces do.
+// Marks leaves that lost half-spaces which need not hold where the leaf's other half-spaces do.
 void ImpliedFold::mark_wider(const Formula& formula, Formula& simpler) {
   wider_.clear();
   for (std::size_t at = 0; at < formula.terms.size(); ++at) {

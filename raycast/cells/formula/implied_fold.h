@@ -12,18 +12,19 @@
 
 namespace csgcast::detail {
 
-/// Leaves out of a formula what its surfaces imply of each other in a box. If one of two balls is within the other
-/// there, or apart from it, one state of the two never is; the formula need not depend on a surface whose sign changes
-/// nothing in all other states. Working memory of one thread.
+/// Removes from a formula what its surfaces imply of each other in a box. For example, if one of two balls is within
+/// the other there, or apart from it, one state of the two surfaces never occurs. If a surface's sign changes nothing
+/// in all other states, the formula need not depend on it. Working memory of one thread.
 class ImpliedFold {
  public:
-  /// False if the formula is too simple or too large to be worth a search. `surfaces`: those of the formula.
+  /// Returns false if the formula is too simple or too large to be worth a search. `surfaces` are the surfaces of the
+  /// formula.
   static bool is_worthwhile(const Formula& formula, const SurfaceSet& surfaces) {
     return surfaces.size() >= 2 && surfaces.size() <= Implications::most && formula.terms.size() <= most_terms;
   }
-  /// Makes `simpler` the formula without the half-spaces on which it does not depend in any possible state. False if
-  /// there are none: then `simpler` is untouched. `implications`: of the surfaces, in their order. Preconditions: it is
-  /// worthwhile, and `simpler` is another formula.
+  /// Makes `simpler` the formula without the half-spaces on which it does not depend in any possible state. Returns
+  /// false if there are none; then `simpler` is untouched. `implications` are those of the surfaces, in the same order.
+  /// Preconditions: is_worthwhile() is true, and `simpler` is a different formula.
   bool fold(const Formula& formula, const SurfaceSet& surfaces, const Implications& implications, Formula& simpler);
 
  private:
@@ -35,8 +36,8 @@ class ImpliedFold {
 
   Folder folder_;
   FormulaTable table_;
-  std::vector<std::uint8_t> literals_;  // by term: of half-spaces, as Implications counts them
-  std::vector<Truth> known_;            // by term: the value that a half-space may be given
+  std::vector<std::uint8_t> literals_;  // by term: the literal of a half-space, as Implications counts them
+  std::vector<Truth> known_;            // by term: the value that may be assumed for a half-space
   std::vector<std::uint32_t> wider_;    // LeafIds, sorted
 };
 

@@ -9,7 +9,7 @@
 namespace csgcast::detail {
 namespace {
 
-// All of space.
+// A box that is all of space.
 class Everywhere final : public LeafBox {
  public:
   Box in_scene() const override { return Box::everything(); }
@@ -38,7 +38,7 @@ class LeafLayout {
         open(Term::Op::unite, i);
         ++i;
       } else {
-        // Those of an intersection stand in its conjunction already.
+        // The conditions of an intersection are in its conjunction already.
         if (open_.empty() || open_.back().op == Term::Op::unite) {
           conjunction_ = {side_term(half_spaces_[term.condition], term.is_contrary)};
           append_conjunction();
@@ -51,12 +51,13 @@ class LeafLayout {
 
  private:
   struct Open {
-    std::size_t end;    // in the formula
-    std::size_t start;  // in the result
+    std::size_t end;    // the end of the operator's operands in the truth formula
+    std::size_t start;  // the start of the operator's term in the result
     Term::Op op;
   };
 
-  // Makes the conditions of an intersection one conjunction. It has no operator of its own if that is all of it.
+  // Joins the conditions of an intersection in one conjunction. The intersection gets no operator of its own if it
+  // consists of conditions only.
   std::size_t open_intersection(std::size_t at) {
     const std::size_t end = at + formula_[at].size;
     conjunction_.clear();
@@ -78,7 +79,7 @@ class LeafLayout {
     return at + 1;
   }
 
-  // No surface stands twice in a conjunction, and one with both sides of a surface holds nothing.
+  // A conjunction has no surface twice. If it has both sides of a surface, it holds nothing.
   void append_conjunction() {
     std::sort(conjunction_.begin(), conjunction_.end(), [](const Term& a, const Term& b) { return a.what < b.what; });
     conjunction_.erase(std::unique(conjunction_.begin(), conjunction_.end(),

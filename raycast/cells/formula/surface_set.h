@@ -11,14 +11,14 @@
 
 namespace csgcast::detail {
 
-/// Some surfaces of a scene in an order, none twice, with the place of each in it. Keeps its memory, which is a number
-/// for each surface of the scene: a sparse set. To clear it costs nothing.
+/// An ordered set of some surfaces of a scene, with the place of each. This is a sparse set: it keeps a number for each
+/// surface of the scene, and clearing it costs nothing.
 class SurfaceSet {
  public:
-  /// An empty set of surfaces out of `count`, those of the scene.
+  /// Makes an empty set. `count` is the number of surfaces of the scene.
   explicit SurfaceSet(std::size_t count) : place_(count, 0) {}
 
-  /// Becomes the set of a formula's surfaces, in the order in which they come first.
+  /// Becomes the set of a formula's surfaces, in the order of their first occurrence.
   void gather(const Formula& formula);
   /// Puts the surfaces into an order.
   template <class Less>
@@ -26,7 +26,7 @@ class SurfaceSet {
     std::sort(list_.begin(), list_.end(), less);
     number();
   }
-  /// Keeps the surfaces in some places, which ascend, and drops the others.
+  /// Keeps the surfaces in the given places and drops the others. The places must ascend.
   void keep(std::span<const std::size_t> places);
 
   std::size_t size() const { return list_.size(); }
@@ -44,7 +44,7 @@ class SurfaceSet {
   void number();
 
   std::vector<SurfaceId> list_;
-  std::vector<std::uint32_t> place_;  // by surface; means nothing for surfaces that are not in the list
+  std::vector<std::uint32_t> place_;  // by surface; arbitrary for surfaces that are not in the list
 };
 
 }  // namespace csgcast::detail

@@ -6,8 +6,8 @@
 
 namespace csgcast::detail {
 
-/// csgcast::compile() with a table of kinds that surfaces may be of. Precondition: for each form of the solid it has a
-/// kind that takes it.
+/// csgcast::compile() with a given table of kinds. Precondition: for each form of the solid, the table has a kind that
+/// takes it.
 Scene compile(Solid solid, const Welding& welding, SurfaceKinds kinds);
 
 }  // namespace csgcast::detail

@@ -22,7 +22,7 @@ bool before(const HalfSpace& a, const HalfSpace& b) {
 
 CellForm form_of(const Surface& surface) { return {surface.local, surface.center}; }
 
-// Tells whether a box lies within a plane's half-space for certain. It must be clear of the plane by far more than the
+// Tells if a box certainly lies within a plane's half-space. The box must be clear of the plane by far more than the
 // rounding of the numbers here and of the places where rays start.
 class HeldBox {
  public:
@@ -58,8 +58,8 @@ class HeldBox {
   Vector half_;
 };
 
-// True if f is convex, and with it the closed set f <= 0. That is so exactly if the symmetric matrix of its second
-// degree has no negative principal minor; here twice that matrix is looked at. Exact.
+// True if f is convex; then the closed set f <= 0 is convex, too. The exact criterion is that the symmetric matrix of
+// the second degree has no negative principal minor. The code uses twice that matrix, and is exact.
 bool is_convex(const QuadricForm& f) {
   const auto& c = f.coefficient;
   const auto minor = [&](std::size_t i, std::size_t j) {
@@ -74,9 +74,9 @@ bool is_convex(const QuadricForm& f) {
   return determinant.sign() >= 0;
 }
 
-// True if normals computed near the solid are accurate enough to tell to which side a ray leaves such a set. Their
-// lengths have a lower bound if f is convex and far below 0 in the solid's middle (docs/accuracy.md, "Rays that lead
-// away").
+// True if normals computed near the solid are accurate enough to tell on which side a ray leaves such a set. The
+// lengths of the normals have a lower bound if f is convex and far below 0 in the solid's middle (docs/accuracy.md,
+// "Rays that lead away").
 bool has_sound_normals(const Scene& scene, const Surface& surface, Sense sense) {
   constexpr double depth = 0x1p-20;
   if (!surface.is_local || !scene.bounds().is_finite()) return false;
@@ -86,7 +86,7 @@ bool has_sound_normals(const Scene& scene, const Surface& surface, Sense sense) 
   return (sense == Sense::negative ? value : -value) < -depth * size;
 }
 
-// True if rays that leave the half-space lead away from it. Precondition: it holds the whole solid.
+// True if rays that leave the half-space lead away from it. Precondition: the half-space holds the whole solid.
 bool leads_away(const Scene& scene, const HalfSpace& half_space) {
   const Surface& surface = scene.surface(half_space.surface);
   if (!surface.in_range) return false;
@@ -102,8 +102,8 @@ class Enclosure {
   explicit Enclosure(const Scene& scene) : scene_(scene) {}
 
   std::vector<HalfSpace> of(NodeId root) {
-    // `order` has every node before its operands, and the first operand of a node first. It is gone through backwards,
-    // so the operands of a node are the last ones that were found.
+    // `order` has every node before its operands, and the first operand of a node first. It is traversed backwards, so
+    // the operands of a node are the last nodes that were found.
     std::vector<NodeId> order;
     std::vector<NodeId> pending{root};
     while (!pending.empty()) {
@@ -117,8 +117,8 @@ class Enclosure {
   }
 
  private:
-  // The most half-spaces kept of an operator. More are seldom of use, and with a limit deep chains of operators do not
-  // take time in the square of their length.
+  // The most half-spaces that are kept for an operator. More are seldom of use. The limit also keeps deep chains of
+  // operators from taking time in the square of their length.
   static constexpr std::size_t most = 1024;
 
   // The children whose half-spaces matter to the node.
@@ -140,7 +140,7 @@ class Enclosure {
       found_.emplace_back();
       if (node.op != Node::Op::leaf) return;
       const Leaf& leaf = scene_.leaf(LeafId(node.first));
-      if (leaf.function != nullptr) return;  // it need not lie within any of its half-spaces
+      if (leaf.function != nullptr) return;  // such a leaf need not lie within any of its half-spaces
       const auto own = scene_.half_spaces(leaf);
       found_.back().assign(own.begin(), own.end());
       return;
@@ -167,7 +167,7 @@ class Enclosure {
     return last;
   }
 
-  // Those half-spaces of each of two nodes that hold the other node, too.
+  // For two nodes, this finds the half-spaces of either one that hold the other node, too.
   std::vector<HalfSpace> common(std::vector<HalfSpace>& first, const Box& first_box, std::vector<HalfSpace>& second,
                                 const Box& second_box) const {
     std::sort(second.begin(), second.end(), before);
@@ -185,7 +185,7 @@ class Enclosure {
   }
 
   const Scene& scene_;
-  std::vector<std::vector<HalfSpace>> found_;  // a stack: those of the nodes that no parent has taken yet
+  std::vector<std::vector<HalfSpace>> found_;  // a stack with the half-spaces of the nodes that no parent has taken yet
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ Node::Op operation_of(Solid::Kind kind) {
   }
 }
 
-// The looks of a scene, each resolved and listed once.
+// The looks of a scene. Each is resolved and listed once.
 class LookTable {
  public:
   explicit LookTable(std::vector<Material>& looks) : looks_(looks) {}
@@ -63,22 +63,22 @@ class Flattener {
   void run(const Solid& solid);
 
  private:
-  // What the nodes above a node mean for it.
+  // What the nodes above a node mean for that node.
   struct Context {
     Placement placement;
     std::shared_ptr<const LookContext> looks;
     LookId look;
     PartId part;
-    bool at_union_level = true;   // only unions, transforms, looks and parts stand above
-    bool negative = false;        // an odd number of subtractions and complements stand above
-    bool below_cut = false;       // at least one of them stands above
-    bool look_below_cut = false;  // and a look stands between the outermost of them and here
+    bool at_union_level = true;   // true if only unions, transforms, looks and parts stand above
+    bool negative = false;        // true if an odd number of subtractions and complements stand above
+    bool below_cut = false;       // true if at least one of them stands above
+    bool look_below_cut = false;  // true if a look also stands between the outermost of them and here
   };
   // A solid on the way from the root to the solid that is visited now.
   struct OpenSolid {
     Solid solid;
-    Context context;            // of the solid itself
-    std::size_t first_operand;  // where the nodes of its children start in operands_
+    Context context;            // the context of the solid itself
+    std::size_t first_operand;  // the index of its first child's node in operands_
     std::uint32_t first_leaf;   // the number of leaves when it was opened
     std::uint32_t next = 0;     // the child to visit next
   };
@@ -135,7 +135,7 @@ void Flattener::visit(const Solid& solid, const Context& context) {
   }
 }
 
-// Takes a finished node. It is a body of its own at union level, else an operand of the node above.
+// Takes a finished node. At union level the node is a body of its own, otherwise an operand of the node above.
 void Flattener::deliver(NodeId node, const Context& context, std::uint32_t first_leaf) {
   if (context.at_union_level) {
     flat_.bodies.push_back(body_of(tables_, node, context.part, context.look, first_leaf));
@@ -171,7 +171,7 @@ Flattener::Context Flattener::child_context(const OpenSolid& open) {
   return below;
 }
 
-// The placement of what stands below a transform.
+// The placement of the solids below a transform.
 Placement Flattener::moved(const Placement& placement, const Solid& solid) {
   const ExactAffine inner(solid.transform());
   auto product =
@@ -186,12 +186,12 @@ Placement Flattener::moved(const Placement& placement, const Solid& solid) {
   return result;
 }
 
-// Closes the solid on top of the stack: all its children are done.
+// Closes the solid on top of the stack. All its children are done.
 void Flattener::close() {
   const OpenSolid open = std::move(open_.back());
   open_.pop_back();
   const Solid::Kind kind = open.solid.kind();
-  // These have no node of their own: the nodes of their children have been delivered in their place.
+  // These kinds have no node of their own. The nodes of their children have been delivered in their place.
   const bool hands_on = kind == Solid::Kind::transform || kind == Solid::Kind::look || kind == Solid::Kind::part ||
                         (kind == Solid::Kind::unite && open.context.at_union_level);
   if (hands_on) return;

@@ -10,14 +10,14 @@
 namespace csgcast::detail {
 namespace {
 
-// Whether a half-space holds all of a box, or nothing of it.
+// `yes` if a half-space holds all of a box, `no` if it holds nothing of it.
 Truth holds(const HalfSpace& half_space, LeafBox& box) {
   const Sides sides = box.sides_of(half_space.surface);
   if (sides == Sides::both) return Truth::unknown;
   return truth((sides == Sides::positive) == (half_space.sense == Sense::positive));
 }
 
-// Room for some values, which takes no memory if they are few.
+// Room for some values. It allocates no memory if they are few.
 class TruthBuffer {
  public:
   explicit TruthBuffer(std::size_t size) : size_(size) {
@@ -39,7 +39,8 @@ Truth FormulaFunction::value(std::span<const Truth> holds) const {
   return values.span().front();
 }
 
-// Operands come after their operators, so from the back their lists are known first. scratch[i] is the list of term i.
+// Operands come after their operators, so the lists of the operands are known first when going backwards. scratch[i] is
+// the list of term i.
 void FormulaFunction::intervals(std::span<const HalfSpace> half_spaces, LeafLine& line, Span /*reach*/,
                                 IntervalList& list, std::vector<IntervalList>& scratch) const {
   const TruthFormula& terms = *formula_;
@@ -80,8 +81,8 @@ LeafFunction::Content FormulaFunction::in_box(std::span<const HalfSpace> half_sp
   evaluate(all, known.span(), values);
   if (values.front() != Truth::unknown) return values.front() == Truth::yes ? Content::full : Content::empty;
   terms.clear();
-  std::vector<std::size_t> open;  // operators around a term, by their places in the result
-  std::vector<std::size_t> ends;  // and their ends in the whole formula
+  std::vector<std::size_t> open;  // the operators around a term, by their places in the result
+  std::vector<std::size_t> ends;  // the ends of these operators in the whole formula
   const auto close_until = [&](std::size_t at) {
     while (!ends.empty() && ends.back() <= at) {
       terms[open.back()].size = static_cast<std::uint32_t>(terms.size() - open.back());
@@ -91,7 +92,7 @@ LeafFunction::Content FormulaFunction::in_box(std::span<const HalfSpace> half_sp
   };
   for (std::size_t i = 0; i < all.size();) {
     close_until(i);
-    if (values[i] != Truth::unknown) {  // no operator that it settles is unknown itself
+    if (values[i] != Truth::unknown) {  // if the term settles an operator, the operator is not unknown itself
       i += all[i].size;
       continue;
     }

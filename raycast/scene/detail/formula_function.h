@@ -10,8 +10,8 @@
 
 namespace csgcast::detail {
 
-/// The function of a leaf that has a truth formula of a few half-spaces. In a box it is that formula, without what the
-/// sides of the box settle. It is never open.
+/// The function of a leaf that has a truth formula of a few half-spaces. In a box, the content is this formula without
+/// the parts that the sides of the box settle. It is never open.
 class FormulaFunction final : public LeafFunction {
  public:
   explicit FormulaFunction(std::shared_ptr<const TruthFormula> formula) : formula_(std::move(formula)) {}

@@ -13,11 +13,11 @@
 namespace csgcast::detail {
 namespace {
 
-// With coordinates and sizes in this range nothing in the engine over- or underflows.
+// If coordinates and sizes are in this range, nothing in the engine overflows or underflows.
 constexpr double greatest = 0x1p400;
 constexpr double least = 0x1p-400;
 
-// `is_bounded`: the solid is bounded, so an infinite side of the box means that it overflowed.
+// `is_bounded` says that the solid is bounded. Then an infinite side of its box means that the box overflowed.
 void check_range(const Box& box, bool is_bounded, const Place& place) {
   if (box.is_null()) return;
   double farthest = is_bounded && !box.is_finite() ? std::numeric_limits<double>::infinity() : 0;
@@ -53,7 +53,7 @@ std::optional<Box> LeafBuilder::add(const Solid& solid, const Placement& placeme
   return box;
 }
 
-// Copies of a solid share their function. Null: the leaf is the intersection of its half-spaces.
+// Copies of a solid share their function. The result is null if the leaf is the intersection of its half-spaces.
 const LeafFunction* LeafBuilder::function_of(const LeafShape& shape) {
   if (shape.inside == nullptr) return nullptr;
   const auto [it, is_new] = functions_.try_emplace(shape.inside.get(), nullptr);
@@ -61,8 +61,8 @@ const LeafFunction* LeafBuilder::function_of(const LeafShape& shape) {
   return it->second;
 }
 
-// False if the leaf is an intersection that has the surface's other side already: then it has no inside. A truth
-// function keeps every half-space in its place.
+// Returns false if the leaf is an intersection that already has the other side of the surface: then it has no inside.
+// For a truth function every half-space is kept in its place.
 bool LeafBuilder::add_half_space(const HalfSpace& half_space, const Leaf& leaf) {
   if (leaf.function == nullptr) {
     const auto begin = tables_.half_spaces.begin() + static_cast<std::ptrdiff_t>(leaf.first);
@@ -74,7 +74,7 @@ bool LeafBuilder::add_half_space(const HalfSpace& half_space, const Leaf& leaf) 
   return true;
 }
 
-// False if the leaf has no inside.
+// Returns false if the leaf has no inside.
 bool LeafBuilder::add_half_spaces(const Solid& solid, const Placement& placement, Leaf& leaf, const Box& box) {
   const LeafShape& shape = solid.shape();
   std::optional<FormMover> mover;

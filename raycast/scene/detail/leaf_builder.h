@@ -14,21 +14,21 @@
 
 namespace csgcast::detail {
 
-/// How a solid stands in the world.
+/// The placement of a solid in the world.
 struct Placement {
   std::shared_ptr<const ExactAffine> world_from_solid;  ///< null: the identity
-  Provenance::ChainId chain = 0;  ///< the same as transforms one inside the other; only kept for welding
+  Provenance::ChainId chain = 0;                        ///< the same transform as a chain; kept for welding only
 };
 
 /// Appends leaves to the tables of a scene. Their half-spaces are taken to the world exactly, and get their surfaces.
 class LeafBuilder {
  public:
-  /// All must outlive it. `origins` takes down where each surface comes from; null if that is not wanted.
+  /// All arguments must outlive this. `origins` records where each surface comes from; null if nobody needs that.
   LeafBuilder(SceneTables& tables, SurfaceTable& surfaces, SurfaceOrigins* origins)
       : tables_(tables), surfaces_(surfaces), origins_(origins) {}
 
-  /// Appends `leaf`, completed with the half-spaces of a solid that is a leaf. Returns the leaf's box in the world,
-  /// without a margin. A leaf without an inside is left out, and there is no box.
+  /// Completes `leaf` with the half-spaces of a solid that is a leaf, and appends it. Returns the leaf's box in the
+  /// world, without a margin. A leaf without an inside is left out, and nothing is returned.
   ///
   /// Throws Error(limit) if the solid is too large, too small or too far away.
   std::optional<Box> add(const Solid& solid, const Placement& placement, Leaf leaf);
@@ -41,7 +41,7 @@ class LeafBuilder {
   SceneTables& tables_;
   SurfaceTable& surfaces_;
   SurfaceOrigins* origins_;
-  std::map<const TruthFormula*, const LeafFunction*> functions_;  // those made so far
+  std::map<const TruthFormula*, const LeafFunction*> functions_;  // the functions made so far
 };
 
 }  // namespace csgcast::detail

@@ -10,12 +10,12 @@
 namespace csgcast::detail {
 namespace {
 
-// Unions of more children than this are split in two.
+// A union of more children than this is split in two.
 constexpr std::size_t widest_union = 4;
 // The boxes of nodes are widened by this share of their coordinates.
 constexpr double margin = 0x1p-30;
-// Where welding moved a face, the corners of its leaf moved by at most this many times as much, unless the faces that
-// meet there are nearly parallel.
+// If welding moved a face, the corners of its leaf moved by at most this many times as much, unless faces that meet
+// there are nearly parallel.
 constexpr double margin_of_moves = 0x1p10;
 
 double middle(const Box& box, std::size_t axis) { return 0.5 * box.lower[axis] + 0.5 * box.upper[axis]; }
@@ -94,7 +94,7 @@ std::size_t NodeBuilder::longest_axis(std::span<const UnionChild> children) {
   return extent.y >= extent.z ? 1 : 2;
 }
 
-// Halves the children along the longest axis. Recursive, to a depth of the logarithm of their number.
+// Halves the children along the longest axis. The recursion is as deep as the logarithm of their number.
 NodeId NodeBuilder::add_hierarchy(std::span<UnionChild> children) {
   if (children.size() <= widest_union) {
     std::array<NodeId, widest_union> nodes;

@@ -8,24 +8,24 @@
 
 namespace csgcast::detail {
 
-/// Appends nodes to the tables of a scene, each with the box that holds it, without a margin.
+/// Appends nodes to the tables of a scene. Each node gets the box that holds it, without a margin.
 class NodeBuilder {
  public:
   /// The tables must outlive it.
   explicit NodeBuilder(SceneTables& tables) : tables_(tables) {}
 
   NodeId add_leaf(LeafId leaf, const Box& box);
-  /// An operator over nodes that are there already, or nothing or everything without any. Where boxes show that nothing
-  /// is left, the node is an empty one.
+  /// Adds an operator over nodes that exist already. Without children the node is nothing, or everything. If boxes show
+  /// that nothing is left, the node is an empty one.
   NodeId add(Node::Op op, std::span<const NodeId> children);
-  /// A union of any number of nodes. Empty ones are left out; of one node alone it is that node. More than a few
-  /// bounded ones become a hierarchy of unions, so that boxes cull: a union is the same in any order and grouping.
+  /// Adds a union of any number of nodes. Empty nodes are left out, and the union of one node is that node. More than a
+  /// few bounded nodes become a hierarchy of unions, so that boxes cull. Order and grouping do not change a union.
   NodeId add_union(std::vector<NodeId> children);
-  /// The first of the nodes less all others. Precondition: there are at least two.
+  /// Adds the difference: the first node less all others. Precondition: there are at least two.
   NodeId add_difference(std::span<const NodeId> children);
 
  private:
-  // A child of a wide union with the middle of its box. These are sorted, so they lie side by side.
+  // A child of a wide union with the middle of its box. Both are stored together, because the children are sorted.
   struct UnionChild {
     NodeId node;
     Point middle;
@@ -41,7 +41,7 @@ class NodeBuilder {
 };
 
 /// Widens the boxes of nodes by a margin, so that culling does not depend on the last bits of slab tests. `moved` is
-/// the farthest that welding moved a face.
+/// the greatest distance by which welding moved a face.
 void widen_boxes(std::span<Node> nodes, double moved);
 
 }  // namespace csgcast::detail

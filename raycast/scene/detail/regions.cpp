@@ -10,7 +10,7 @@
 namespace csgcast::detail {
 namespace {
 
-// Regions are runs of bodies of one part and one look.
+// A region is a run of bodies of the same part and the same look.
 void add_regions(const std::vector<Body>& bodies, SceneTables& tables, NodeBuilder& nodes) {
   for (std::size_t begin = 0; begin < bodies.size();) {
     const Body& first = bodies[begin];
@@ -45,7 +45,7 @@ void complete_parts(SceneTables& tables, NodeBuilder& nodes) {
   for (std::size_t i = 0; i < of_part.size(); ++i) tables.parts[i].node = nodes.add_union(std::move(of_part[i]));
 }
 
-// Each transmitting region is a layer, and so is each run of opaque ones.
+// Each transmitting region is a layer, and so is each run of opaque regions.
 void add_layers(SceneTables& tables, NodeBuilder& nodes) {
   const std::vector<Region>& regions = tables.regions;
   if (std::none_of(regions.begin(), regions.end(), [](const Region& region) { return region.transmits; })) return;
@@ -72,7 +72,7 @@ Body body_of(const SceneTables& tables, NodeId node, PartId part, LookId look, s
   bool first = true;
   for (std::uint32_t i = body.first_leaf; i < body.leaf_end; ++i) {
     const Leaf& leaf = tables.leaves[i];
-    // No medium is made of leaves that something subtracts.
+    // A leaf that something subtracts makes no medium.
     if (leaf.holds_nothing) continue;
     if (first) body.look = leaf.look;
     first = false;

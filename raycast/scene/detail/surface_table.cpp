@@ -23,7 +23,7 @@ Point middle_of(const Box& leaf) {
   return p;
 }
 
-// Coordinates that are NaN are taken from the frame's center.
+// Replaces NaN coordinates by those of the frame's center.
 Point completed(Point p, const Frame& frame) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (std::isnan(p[axis])) p[axis] = frame.center[axis];
@@ -33,7 +33,7 @@ Point completed(Point p, const Frame& frame) {
 
 }  // namespace
 
-// Finds the surface with this entry: same(other, entry) tells. If there is none, the entry is added.
+// Finds the surface with this entry, for which same(other, entry) is true. If there is none, the entry is added.
 template <class Same>
 SurfaceId SurfaceTable::find_or_add(std::uint64_t hash, Entry entry, Same&& same) {
   const auto next = static_cast<std::uint32_t>(entries_.size());

@@ -14,36 +14,37 @@
 
 namespace csgcast::detail {
 
-/// The surfaces of a scene, one for each canonical form. Forms that are multiples of each other share an id, and the
-/// sign of the factor tells the sense of the half-space.
+/// The surfaces of a scene, one for each canonical form. Forms that are multiples of each other share an id. The sign
+/// of the factor gives the sense of the half-space.
 class SurfaceTable {
  public:
-  /// The half-space f <= 0 of a leaf with these bounds. Its surface is added if it is not there. Precondition: f is not
-  /// constant.
+  /// The half-space f <= 0 of a leaf with these bounds. Its surface is added if the table does not have it yet.
+  /// Precondition: f is not constant.
   HalfSpace half_space(const QuadricForm& f, const Box& leaf);
   HalfSpace half_space(const OtherForm& f, const Box& leaf);
 
   std::size_t size() const { return entries_.size(); }
-  /// Null if the surface is no plane and no quadric.
+  /// The form, or null if the surface is neither a plane nor a quadric.
   const PackedForm* form(SurfaceId id) const {
     const Entry& entry = entries_[id.index()];
     return entry.other == nullptr ? &entry.form : nullptr;
   }
 
-  /// Replaces surface i by replacements[i], for all i. That is surface i itself, or one that stays itself. The ids that
-  /// are left close up, in the order of first appearance. Returns what the positive side of each old surface is now.
+  /// Replaces surface i by replacements[i], for all i. The replacement is surface i itself, or a surface that stays
+  /// itself. The remaining ids close up, in the order of first appearance. Returns for each old surface what its
+  /// positive side is now.
   std::vector<HalfSpace> merge(std::span<const Replacement> replacements);
 
-  /// All surfaces, with their floating-point forms in a frame. The table is empty afterwards.
-  /// Precondition: one of the kinds takes each of the forms.
+  /// Takes all surfaces out, with their floating-point forms in a frame. The table is empty afterwards. Precondition:
+  /// one of the kinds takes each of the forms.
   std::vector<Surface> take(const Frame& frame, SurfaceKinds kinds);
 
  private:
   struct Entry {
     PackedForm form;
-    std::shared_ptr<const OtherForm> other;  // in its place, of a surface that is no plane and no quadric; else null
+    std::shared_ptr<const OtherForm> other;  // set instead, if the surface is neither a plane nor a quadric; else null
     Point near;     // the middle of one leaf that owns the surface; NaN on an axis along which that leaf is unbounded
-    bool is_local;  // all leaves that own the surface are bounded
+    bool is_local;  // true if all leaves that own the surface are bounded
   };
 
   template <class Same>

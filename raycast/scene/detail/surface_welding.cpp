@@ -11,10 +11,10 @@
 namespace csgcast::detail {
 namespace {
 
-// The sources of each surface, side by side.
+// The sources of all surfaces in one list, grouped by surface.
 struct SourcesBySurface {
   std::vector<Provenance::Source> sources;
-  std::vector<std::size_t> end;  // by surface: where its sources end
+  std::vector<std::size_t> end;  // by surface: the end of its sources
 
   SourcesBySurface(std::vector<SurfaceOrigins::Ownership> ownerships, std::size_t surface_count)
       : sources(ownerships.size()), end(surface_count) {
@@ -29,7 +29,7 @@ struct SourcesBySurface {
   }
 };
 
-// Gives the leaves' half-spaces their new surfaces. `positive_side` tells by old surface what its positive side is now.
+// Gives the leaves' half-spaces their new surfaces. `positive_side` has, by old surface, what its positive side is now.
 void replace_surfaces(std::span<const HalfSpace> positive_side, SceneTables& tables) {
   std::vector<bool> is_empty(tables.leaves.size());
   for (std::size_t i = 0; i < tables.leaves.size(); ++i) {
@@ -40,7 +40,7 @@ void replace_surfaces(std::span<const HalfSpace> positive_side, SceneTables& tab
       HalfSpace half_space = *(begin + k);
       const auto [surface, side] = positive_side[half_space.surface.index()];
       half_space = {surface, side == Sense::positive ? half_space.sense : opposite(half_space.sense)};
-      if (leaf.function != nullptr) {  // it tells half-spaces by their places
+      if (leaf.function != nullptr) {  // a function knows its half-spaces by their places
         *end++ = half_space;
         continue;
       }
@@ -65,7 +65,7 @@ WeldReport weld_surfaces(const Welding& welding, const Box& everything, SurfaceO
   WeldReport report;
   if (surfaces.size() == 0) return report;
   const SourcesBySurface sources(std::move(origins.ownerships), surfaces.size());
-  // Only planes and quadrics weld.
+  // Only planes and quadrics are welded.
   std::vector<std::uint32_t> numbers;
   std::vector<Welder::Candidate> candidates;
   std::vector<Replacement> replacements;

@@ -11,9 +11,9 @@
 
 namespace csgcast::detail {
 
-/// Where the surfaces of a scene come from: welding goes by that.
+/// The origins of a scene's surfaces. Welding needs them.
 struct SurfaceOrigins {
-  /// A leaf owns a surface: the surface is that of one of the leaf's forms.
+  /// States that a leaf owns a surface: the surface belongs to one of the leaf's forms.
   struct Ownership {
     SurfaceId surface;
     Provenance::Source source;
@@ -23,11 +23,11 @@ struct SurfaceOrigins {
   std::vector<Ownership> ownerships;  ///< in the order of the leaves
 };
 
-/// Welds the surfaces of a scene whose leaves have their half-spaces already, and reports what that did.
+/// Welds the surfaces of a scene whose leaves have their half-spaces already, and returns a report.
 ///
-/// `everything` holds what is bounded; null if there is nothing. Surfaces that weld become one in the table, ids close
-/// up, and half-spaces get the new ids. A leaf that has both sides of one surface now has no inside: its node becomes
-/// an empty one. Precondition: the mode is not off.
+/// `everything` holds what is bounded; it is null if there is nothing. Surfaces that weld become one surface in the
+/// table, ids close up, and half-spaces get the new ids. If a leaf then has both sides of one surface, it has no
+/// inside, and its node becomes an empty one. Precondition: the mode is not off.
 WeldReport weld_surfaces(const Welding& welding, const Box& everything, SurfaceOrigins origins, SurfaceTable& surfaces,
                          SceneTables& tables);
 

@@ -7,12 +7,12 @@
 
 namespace csgcast::detail {
 
-// What a ray is expected to cost, in units of the test of a surface.
+// The expected cost of a ray, in units of the test of a surface.
 
 constexpr double cost_of_node = 1.0;
-constexpr double cost_of_constant = 0.3;  ///< of a cell that no surface crosses
+constexpr double cost_of_constant = 0.3;  ///< the cost of a cell that no surface crosses
 
-/// The cost of a cell that so many surfaces cross: without a table for a few of them it grows by their square.
+/// The cost of a cell that this many surfaces cross. It grows by their square if the cell has no table.
 constexpr double cost_of_cell(std::size_t surfaces) {
   if (surfaces == 0) return cost_of_constant;
   const double n = static_cast<double>(surfaces);

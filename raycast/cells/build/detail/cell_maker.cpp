@@ -11,7 +11,7 @@
 namespace csgcast::detail {
 namespace {
 
-// With more surfaces it is not found out which of them matter.
+// If there are more surfaces, their relevance is not examined.
 constexpr std::size_t most_tabled = 10;
 
 }  // namespace
@@ -50,7 +50,8 @@ double CellMaker::add(const CellContent& content, const CellBox& box) {
   return cost_of_cell(ground_.burden(surfaces_));
 }
 
-// Gives the cell its table, and drops the surfaces that do not matter. False if too many surfaces do for a table.
+// Gives the cell its table, and drops the surfaces that do not matter. Returns false if too many surfaces remain for a
+// table.
 bool CellMaker::set_table(const Formula& formula, Cell& cell) {
   if (surfaces_.size() > most_tabled) return false;
   table_.tabulate(formula, surfaces_);
@@ -92,7 +93,7 @@ void CellMaker::add_steps(const Formula& formula, Cell& cell) {
   std::vector<Step>& steps = tree_.steps();
   cell.first_step = static_cast<std::uint32_t>(steps.size());
   std::vector<Open> open;
-  std::size_t height = 0;  // operands that wait for another
+  std::size_t height = 0;  // the number of operands that wait for another one
   for (std::size_t i = 0; i < formula.terms.size();) {
     const Term& term = formula.terms[i];
     if (term.op != Term::Op::leaf) {

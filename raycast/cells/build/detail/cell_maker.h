@@ -14,18 +14,18 @@
 
 namespace csgcast::detail {
 
-/// What the solid comes to in a box.
+/// The content of a box: the solid's formula there.
 struct CellContent {
   const Formula& formula;
-  /// If half-spaces were left out that others imply: the formula of the box, or of one around it, from before. It tells
-  /// whose the faces are. Null if nothing was left out.
+  /// If half-spaces were left out because others imply them, this is an earlier formula of the box, or of one around
+  /// it. The owners of faces are found by it. It is null if nothing was left out.
   const Formula* with_all = nullptr;
 };
 
 /// Makes cells: the ends of the kd-tree. Working memory of one thread.
 class CellMaker {
  public:
-  /// The fold is for rays. All arguments must outlive this.
+  /// The fold must be of_rays. All arguments must outlive this.
   CellMaker(const CellGround& ground, BoxFold& fold, CellTree& tree);
 
   /// Adds the content of a box as one end of the tree, and returns the expected cost of a ray there. The box may be
@@ -41,10 +41,10 @@ class CellMaker {
   BoxFold& fold_;
   CellTree& tree_;
   FaceOwners owners_;
-  SurfaceSet surfaces_;  // of the cell, in the order of its slots
+  SurfaceSet surfaces_;  // the cell's surfaces, in the order of its slots
   FormulaTable table_;
-  std::vector<std::size_t> kept_;  // places of the surfaces that matter
-  Formula with_all_;               // what is in the cell, with nothing left out
+  std::vector<std::size_t> kept_;  // the places of the surfaces that matter
+  Formula with_all_;               // the cell's formula with nothing left out
 };
 
 }  // namespace csgcast::detail

@@ -6,7 +6,7 @@
 namespace csgcast::detail {
 namespace {
 
-constexpr std::uint32_t constants = 2;  // cells in front
+constexpr std::uint32_t constants = 2;  // the number of constant cells in front
 
 }  // namespace
 

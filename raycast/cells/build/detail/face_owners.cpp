@@ -16,14 +16,14 @@ std::span<const FaceOwners::Owner> FaceOwners::find(const Formula& formula, cons
     const LeafId leaf(term.what);
     std::optional<LookId> look;
     for (const Term& side : std::span(formula.terms).subspan(at + 1, term.size - 1)) {
-      if (!surfaces.contains(side.surface())) continue;  // the value does not depend on it
+      if (!surfaces.contains(side.surface())) continue;  // the value does not depend on this surface
       const std::size_t place = surfaces.place_of(side.surface());
       if (last_term_[place] == at) continue;  // the leaf has both sides of the surface
       if (!look) look = face_look(ground_.scene.leaf(leaf), one_region, box);
       Owner& owner = owners_[place];
       const bool is_first = last_term_[place] == none;
       if (is_first) owner.leaf = leaf;
-      if (owner.leaf != leaf) owner.leaf = LeafId();  // it is one that has several terms, if it is the same
+      if (owner.leaf != leaf) owner.leaf = LeafId();  // if it is the same leaf, the leaf has several terms
       owner.look = is_first || owner.look == *look ? *look : LookId();
       last_term_[place] = at;
     }
@@ -42,8 +42,8 @@ bool FaceOwners::has_one_region(const Formula& formula) const {
   return true;
 }
 
-// What a leaf's faces show, if that is the same everywhere in the cell. A cut shows the look of the first leaf that
-// holds the place: one of the same region if no other region has a part in the cell.
+// The look of a leaf's faces, if it is the same everywhere in the cell. A cut shows the look of the first leaf that
+// holds the place. If no other region has a part in the cell, this leaf is one of the same region.
 LookId FaceOwners::face_look(const Leaf& leaf, bool one_region, const CellBox& box) {
   const LookId everywhere = ground_.look_of(leaf, one_region);
   if (everywhere.valid() || !leaf.shows_cut) return everywhere;

@@ -14,19 +14,20 @@
 
 namespace csgcast::detail {
 
-/// Finds whose faces the surfaces of a cell make there, and what these faces show. Working memory of one thread.
+/// Finds the leaves that own the faces in a cell, surface by surface, and the looks that these faces show. Working
+/// memory of one thread.
 class FaceOwners {
  public:
   struct Owner {
-    LeafId leaf;  ///< the only one that owns the surface in the cell; not valid if there are more, or none
-    LookId look;  ///< what every face on the surface shows in the cell; not valid if that depends on the place
+    LeafId leaf;  ///< the only leaf that owns the surface in the cell; not valid if there are more, or none
+    LookId look;  ///< the look of every face on the surface in the cell; not valid if that depends on the place
   };
 
-  /// The ground and the fold, which is for rays, must outlive this.
+  /// The ground and the fold must outlive this. The fold must be of_rays.
   FaceOwners(const CellGround& ground, BoxFold& fold) : ground_(ground), fold_(fold) {}
 
-  /// The owners of some surfaces, in their order, until the next call. `formula` is what is in the cell, with nothing
-  /// left out that others imply.
+  /// Returns the owners of some surfaces, in the order of these. The result is valid until the next call. `formula` is
+  /// the formula of the cell, including what others imply.
   std::span<const Owner> find(const Formula& formula, const SurfaceSet& surfaces, const CellBox& box);
 
  private:
@@ -37,8 +38,8 @@ class FaceOwners {
   const CellGround& ground_;
   BoxFold& fold_;
   std::vector<Owner> owners_;
-  std::vector<std::size_t> last_term_;         // by surface: of the last leaf that was found to own it
-  std::optional<HolderTree::Shown> cut_look_;  // in the cell, once it is known
+  std::vector<std::size_t> last_term_;         // by surface: the last term of a leaf that was found to own it
+  std::optional<HolderTree::Shown> cut_look_;  // the look of cuts in the cell, once it is known
   HolderTree::Search holder_search_;
 };
 

@@ -14,27 +14,28 @@
 namespace csgcast::detail {
 namespace {
 
-constexpr int hopes_of_large = 3;       // so many more where a cell would have no table
-constexpr int more_hopes_of_large = 7;  // and so many more as long as a budget lasts
-constexpr int hopes_of_crowded = 30;    // so many more where a cell would be left to the caster
-// Boxes with so many leaves are split by trial without asking the boxes of the leaves first.
+constexpr int hopes_of_large = 3;       // additional hopes where a cell would have no table
+constexpr int more_hopes_of_large = 7;  // additional hopes as long as a budget lasts
+constexpr int hopes_of_crowded = 30;    // additional hopes where a cell would be left to the caster
+// A box with at most this many leaves is split by trial, without examining the boxes of the leaves first.
 constexpr std::size_t most_leaves_tried = 12;
-// More leaves, more surfaces or longer formulas take too long for a trial.
+// With more leaves, more surfaces or longer formulas a trial takes too long.
 constexpr std::size_t most_leaves = 4 * most_leaves_tried;
 constexpr std::size_t most_terms = 2048;
 constexpr std::size_t most_candidates = 8;
-// A split must cost less than this share of one cell, or a better one is searched by trial.
+// If a split does not cost less than this share of one cell, a better one is searched by trial.
 constexpr double good_share = 0.95;
 constexpr double least_side = 0x1p-24;
-// A split that promises nothing cuts off at least this share of a side: slivers could be cut off for ever.
+// A split that promises nothing must cut off at least this share of a side, because slivers could be cut off for ever.
 constexpr double least_part = 0.125;
-// Boxes whose area is less than this share of the least leaf's there are not split: few rays would notice.
+// Boxes whose area is less than this share of the area of the smallest leaf there are not split, because few rays meet
+// them.
 constexpr double least_share = 0x1p-9;
 constexpr double least_share_of_large = 0x1p-13;
 
-// Such a cell has no table.
+// True for a cell without a table.
 bool is_large(std::size_t surfaces) { return surfaces > Cell::table_slots; }
-// Such a cell would be left to the caster.
+// True for a cell that would be left to the caster.
 bool is_crowded(std::size_t surfaces) { return surfaces > Cell::most_slots; }
 
 bool is_sliver(const Split& split, const CellBox& box) {
@@ -42,7 +43,7 @@ bool is_sliver(const Split& split, const CellBox& box) {
   return std::fmin(split.at - low, high - split.at) < least_part * (high - low);
 }
 
-// Parts the longest side in the middle, whatever it costs.
+// Splits the longest side in the middle, without regard to cost.
 std::optional<Split> in_half(const CellBox& box) {
   const Vector size = box.upper - box.lower;
   const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -81,7 +82,7 @@ std::optional<Split> SplitSearch::best(const Formula& formula, std::span<const L
   std::optional<Split> split;
   if (leaves.size() > most_leaves_tried) split = by_bins(leaves, box);
   if (!split || split->cost > good_share * as_one) {
-    // Binning sees boxes only. Where they are of no help, a trial of the real thing is, if it is small enough.
+    // Binning sees only boxes. If they do not help, a trial with the formula does, if the formula is small enough.
     if (leaves.size() <= most_leaves ||
         (surfaces <= most_leaves && formula.terms.size() <= most_terms && spend(formula)))
       split = by_trial(formula, leaves, box);
@@ -94,23 +95,23 @@ std::optional<Split> SplitSearch::best(const Formula& formula, std::span<const L
   return split;
 }
 
-// Tells if a split that promises nothing may be made all the same.
+// Tells if a split that promises nothing may be made nevertheless.
 bool SplitSearch::may_hope(const Formula& formula, std::size_t surfaces, int hopes) {
-  // Where surfaces crowd in more than one place, splits could go on for ever.
+  // If surfaces crowd in more than one place, splits could go on for ever.
   if (is_crowded(surfaces)) return hopes > -hopes_of_crowded && crowded_splits_++ <= most_crowded_splits_;
   if (!is_large(surfaces)) return hopes > 0;
   return hopes > -hopes_of_large || (hopes > -hopes_of_large - more_hopes_of_large && spend(formula));
 }
 
-// Takes one more trial of a formula from the budget; false if there is too little left. Where surfaces all but
-// coincide, or the same ones come again and again, trials could go on for ever.
+// Takes one more trial of a formula from the budget. Returns false if too little is left. Without a budget, trials
+// could go on for ever where surfaces nearly coincide, or the same ones occur again and again.
 bool SplitSearch::spend(const Formula& formula) {
   if (spare_terms_ < formula.terms.size()) return false;
   spare_terms_ -= formula.terms.size();
   return true;
 }
 
-// The surface area heuristic over the boxes of the leaves.
+// Searches by the surface area heuristic over the boxes of the leaves.
 std::optional<Split> SplitSearch::by_bins(std::span<const LeafId> leaves, const CellBox& box) const {
   constexpr std::size_t bins = 32;
   Split best{0, 0, std::numeric_limits<double>::infinity()};
@@ -143,7 +144,7 @@ std::optional<Split> SplitSearch::by_bins(std::span<const LeafId> leaves, const 
   return best;
 }
 
-// Finds candidates beside the leaves' sides and in the middle, in the order of axes and places, none twice.
+// Finds candidates beside the leaves' sides and in the middle, by axis and then by place, none of them twice.
 void SplitSearch::find_candidates(std::span<const LeafId> leaves, const CellBox& box) {
   candidates_.clear();
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -169,7 +170,7 @@ void SplitSearch::find_candidates(std::span<const LeafId> leaves, const CellBox&
   }
 }
 
-// The best of some candidates, by what the two parts would really be.
+// Finds the best of some candidates, by the real cost of the two parts.
 std::optional<Split> SplitSearch::by_trial(const Formula& formula, std::span<const LeafId> leaves, const CellBox& box) {
   find_candidates(leaves, box);
   const std::size_t stride = (candidates_.size() + most_candidates - 1) / most_candidates;
@@ -178,9 +179,9 @@ std::optional<Split> SplitSearch::by_trial(const Formula& formula, std::span<con
     Split split = candidates_[i];
     const std::array<CellBox, 2> parts{below(box, split.axis, split.at), above(box, split.axis, split.at)};
     const std::array<double, 2> areas{area(parts[0]), area(parts[1])};
-    std::array<double, 2> costs{cost_of_constant, cost_of_constant};  // at least
+    std::array<double, 2> costs{cost_of_constant, cost_of_constant};  // lower bounds
     const auto cost = [&] { return cost_of_node + (areas[0] * costs[0] + areas[1] * costs[1]) / area(box); };
-    // The larger part alone often costs more than the best split so far.
+    // The larger part alone often costs more than the best split found so far.
     const std::size_t larger = areas[1] > areas[0] ? 1 : 0;
     for (const std::size_t part : {larger, 1 - larger}) {
       costs[part] = trial_cost(formula, parts[part]);
@@ -192,7 +193,7 @@ std::optional<Split> SplitSearch::by_trial(const Formula& formula, std::span<con
   return best;
 }
 
-// The expected cost of rays through a box if it were one cell.
+// The expected cost of rays through a box, if it were one cell.
 double SplitSearch::trial_cost(const Formula& formula, const CellBox& box) {
   fold_.fold(formula, box, trial_);
   trial_surfaces_.gather(trial_);

@@ -13,7 +13,7 @@
 
 namespace csgcast::detail {
 
-/// A place where a box may be parted, and the expected cost of a ray through the two parts.
+/// A place where a box can be split, and the expected cost of a ray through the two parts.
 struct Split {
   std::size_t axis = 0;
   double at = 0;
@@ -23,21 +23,22 @@ struct Split {
 /// Searches splits of boxes that make rays cheaper, by the surface area heuristic. Working memory of one thread.
 class SplitSearch {
  public:
-  /// How often a split that promises nothing may be made on the way down before one promises something. What is left
-  /// of that may fall below 0 where a cell would be slow.
+  /// The number of splits that promise nothing and may be made on the way down, before one promises something. The
+  /// number that is left may fall below 0 where a cell would be slow.
   static constexpr int most_hopes = 3;
 
   struct Found {
     Split split;
-    int hopes = most_hopes;  ///< what is left for its two parts
+    int hopes = most_hopes;  ///< the number of hopes left for the two parts
   };
 
-  /// The fold is for rays. `leaves`: how many the node has; by that it is limited how much is tried in vain. All
+  /// The fold must be of_rays. `leaves` is the number of leaves of the node; it limits the number of futile trials. All
   /// arguments must outlive this.
   SplitSearch(const CellGround& ground, BoxFold& fold, std::size_t leaves);
 
-  /// The split of a box that is to be made; nothing if the box had better be one cell. `formula` is what is in the box,
-  /// `leaves` are its leaves, `surfaces` is the number of its surfaces, `hopes` what is left of them here.
+  /// Returns the split that should be made for a box, or nothing if the box should be one cell. `formula` is the
+  /// formula of the box, `leaves` are its leaves, `surfaces` is the number of its surfaces, and `hopes` the number of
+  /// hopes left here.
   std::optional<Found> find(const Formula& formula, std::span<const LeafId> leaves, std::size_t surfaces,
                             const CellBox& box, int hopes);
 
@@ -54,10 +55,10 @@ class SplitSearch {
 
   const CellGround& ground_;
   BoxFold& fold_;
-  std::size_t most_crowded_splits_;  // of boxes that would be left to the caster, where nothing is promised
+  std::size_t most_crowded_splits_;  // the most splits, that promise nothing, of boxes that would be left to the caster
   std::size_t crowded_splits_ = 0;
-  std::size_t spare_terms_;     // of formulas that may still be tried more than usual
-  std::vector<double> places_;  // of candidates on an axis
+  std::size_t spare_terms_;     // the number of terms of formulas that may still be tried more than usual
+  std::vector<double> places_;  // the places of candidates on an axis
   std::vector<Split> candidates_;
   Formula trial_;
   SurfaceSet trial_surfaces_;
