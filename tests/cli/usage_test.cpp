@@ -98,7 +98,7 @@ TEST_CASE("an option without effect is an error") {
   CHECK(folder.names() == std::vector<std::string>{"scene.csg"});
 }
 
-TEST_CASE("-o - writes the same bytes to standard output as into a file") {
+TEST_CASE("standard output gets the same bytes by -o - as a file does") {
   const TemporaryFolder folder;
   folder.write("scene.csg", "cube(1);");
   const std::vector<std::vector<std::string>> commands = {{"render", "scene.csg", "--size", "16x12"},

@@ -18,7 +18,7 @@ Libraries. Each library of a kind of picture is seen by one file of shade/, CGAL
 includes Eigen, but for the one that is about it (EIGEN_HEADERS).
 
 Tests. A file with test cases is called *_test.cpp, and only such a file. Names of test cases have no semicolon, at
-which CTest parts them.
+which CTest parts them, and do not begin with a dash.
 
 Docs. Lines of the .md files in docs/ and beside it have at most 100 columns, but for tables, links and blocks of code.
 
@@ -190,6 +190,8 @@ def check_tests(name, text):
         has_cases = has_cases or line.startswith("TEST_CASE(")
         if re.match(r'TEST_CASE\("[^"]*;', line):
             yield f"{name}:{number}: a test case with a semicolon in its name"
+        if line.startswith('TEST_CASE("-'):
+            yield f"{name}:{number}: a test case whose name is an option to Catch"
     if name.startswith("tests/") and has_cases != name.endswith("_test.cpp"):
         yield f"{name}:1: a file is called *_test.cpp if it has test cases, and only then"
 

@@ -131,6 +131,9 @@ class Breach(unittest.TestCase):
             text = f"#include <{header}>\n"
             self.assert_breach("shade/picture/b.cpp:1", {"shade/picture/a.cpp": text, "shade/picture/b.cpp": text})
 
+    def test_a_test_case_that_begins_with_a_dash(self):
+        self.assert_breach("tests/a_test.cpp:1: a test case whose name is an option", {"tests/a_test.cpp": 'TEST_CASE("-o works") {}\n'})
+
     def test_a_wide_line_of_docs(self):
         wide = "word " * 21
         self.assert_breach("docs/a.md:2: a line of 105 columns", {"docs/a.md": f"# A\n{wide}\n| {wide}|\n```\n{wide}\n```\n"})
