@@ -89,6 +89,8 @@ text::Facets facets_of(csgcast_facets facets) {
       return text::Facets::always;
     case CSGCAST_FACETS_NEVER:
       return text::Facets::never;
+    case CSGCAST_FACETS_INT:
+      break;
   }
   throw Error(ErrorCode::usage, {}, "facets has none of its values", "", "give one of CSGCAST_FACETS_..");
 }

@@ -13,6 +13,7 @@
  * Wherever options are taken NULL stands for what the macro says. What a later version adds is zero for programs that
  * do not know it, and means what it was before. */
 
+#include <limits.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -47,7 +48,8 @@ csgcast_status csgcast_read(const char* text, size_t length, const char* name, c
 typedef enum csgcast_facets {
   CSGCAST_FACETS_AUTO = 0, /* those with an explicit 0 < $fn <= 16 */
   CSGCAST_FACETS_ALWAYS = 1,
-  CSGCAST_FACETS_NEVER = 2
+  CSGCAST_FACETS_NEVER = 2,
+  CSGCAST_FACETS_INT = INT_MAX /* none of them: with it, C++ takes any int for one of this type */
 } csgcast_facets;
 
 typedef struct csgcast_options {
@@ -261,12 +263,13 @@ void csgcast_free_report(csgcast_report* report);
 
 /* What a picture shows. */
 typedef enum csgcast_mode {
-  CSGCAST_SHADED = 0, /* light: 3 linear numbers a pixel */
-  CSGCAST_EDGES = 1,  /* a line drawing: 3 */
-  CSGCAST_XRAY = 2,   /* how long each ray is inside: 1 */
-  CSGCAST_DEPTH = 3,  /* how far the first boundary is from the eye, INFINITY if there is none: 1 */
-  CSGCAST_NORMAL = 4, /* which way the first boundary faces: 3 */
-  CSGCAST_ID = 5      /* which leaf it belongs to: 1 */
+  CSGCAST_SHADED = 0,        /* light: 3 linear numbers a pixel */
+  CSGCAST_EDGES = 1,         /* a line drawing: 3 */
+  CSGCAST_XRAY = 2,          /* how long each ray is inside: 1 */
+  CSGCAST_DEPTH = 3,         /* how far the first boundary is from the eye, INFINITY if there is none: 1 */
+  CSGCAST_NORMAL = 4,        /* which way the first boundary faces: 3 */
+  CSGCAST_ID = 5,            /* which leaf it belongs to: 1 */
+  CSGCAST_MODE_INT = INT_MAX /* no mode: with it, C++ takes any int for one of this type */
 } csgcast_mode;
 /* How many numbers a pixel has in that mode; 0 if there is no such mode. */
 size_t csgcast_channels(csgcast_mode mode);
