@@ -25,20 +25,18 @@ struct LaneHits {
                                                     ///< depends on more than the cell; only these are not told
   bool rounds = false;                              ///< true if t is to be rounded to nearest
   std::vector<std::uint32_t>* unrounded = nullptr;  ///< in that case: gets the rays whose t still has to be rounded
-  std::vector<std::uint32_t>* left =
-      nullptr;  ///< gets the rays that lanes cannot decide; their other results are arbitrary
+  std::vector<std::uint32_t>* left = nullptr;       ///< gets the rays left undecided; their other results are arbitrary
 };
 
 /// The place for the interval lists of rays.
 struct LaneLists {
-  std::vector<Interval>* intervals = nullptr;  ///< intervals are appended, ray after ray
-  std::vector<EndFace>* faces = nullptr;       ///< the faces of their ends; may be null. Unknown ids are not valid
-  bool wants_normals = false;                  ///< true if the normals of the faces are wanted
-  std::size_t* ends = nullptr;                 ///< by ray: the number of intervals up to and including its own
-  std::vector<std::uint32_t>* left = nullptr;  ///< gets the rays that lanes cannot decide; these have no intervals
-  bool rounds = false;                         ///< true if t is to be rounded to nearest
-  std::vector<std::uint32_t>* unrounded =
-      nullptr;  ///< in that case: gets the rays with an end whose t is not rounded yet
+  std::vector<Interval>* intervals = nullptr;       ///< intervals are appended, ray after ray
+  std::vector<EndFace>* faces = nullptr;            ///< the faces of their ends; may be null. Unknown ids are not valid
+  bool wants_normals = false;                       ///< true if the normals of the faces are wanted
+  std::size_t* ends = nullptr;                      ///< by ray: the number of intervals up to and including its own
+  std::vector<std::uint32_t>* left = nullptr;       ///< gets the rays that lanes cannot decide; these have no intervals
+  bool rounds = false;                              ///< true if t is to be rounded to nearest
+  std::vector<std::uint32_t>* unrounded = nullptr;  ///< in that case: gets the rays with a t still to be rounded
 };
 
 /// The functions for rays of one width.
