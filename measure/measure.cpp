@@ -38,7 +38,7 @@ Measures unbounded() {
   return m;
 }
 
-/// All but what depends on the density.
+/// All measures except those that depend on the density.
 Measures shape_of(const Space& space, const Totals& totals) {
   Measures m;
   const double s = space.scale();
@@ -53,7 +53,7 @@ Measures shape_of(const Space& space, const Totals& totals) {
   return m;
 }
 
-/// A part of a call's work, and what is told of it.
+/// A part of a call's work, and the callback that is told how far it is.
 struct Stretch {
   ProgressTeller& teller;
   double from = 0;
@@ -65,7 +65,7 @@ struct Stretch {
   }
 };
 
-/// A node and its body, nothing of one that may be unbounded.
+/// A node and its body. There is no body if the node may be unbounded.
 struct Measurement {
   Measures measures;
   Body body;
@@ -85,7 +85,7 @@ Measurement measure_node(const Scene& scene, NodeId node, double density, const 
   return result;
 }
 
-/// Of a node less others.
+/// The body of a node, less other nodes.
 Body body_of_rest(const Scene& scene, NodeId node, std::span<const NodeId> less, double density,
                   const MeasureOptions& options, const Stretch& stretch) {
   const Space space(scene, node, less);
@@ -96,7 +96,7 @@ bool may_overlap(const Scene& scene, NodeId a, NodeId b) {
   return !intersection(scene.node(a).box, scene.node(b).box).is_null();
 }
 
-/// Whether something is outside every part.
+/// True if something is outside every part.
 bool has_rest(const Scene& scene) {
   return std::any_of(scene.leaves().begin(), scene.leaves().end(), [](const Leaf& leaf) { return !leaf.part.valid(); });
 }
@@ -115,7 +115,8 @@ SceneMeasures measure(const Scene& scene, const MeasureOptions& options) {
   const auto parts = scene.parts();
   const bool has_mass = !parts.empty() && scene.node(scene.root()).box.is_finite();
   ProgressTeller teller(options.progress);
-  // Each part and the whole take an equal stretch; half of it what a part adds to the mass, and what is in no part.
+  // Each part and the whole get an equal stretch. Half of a stretch goes to what the part adds to the mass, and to what
+  // is in no part.
   const double step = 1 / (static_cast<double>(parts.size()) + 1);
   double done = 0;
   const auto half = [&] {

@@ -9,7 +9,7 @@
 
 namespace csgcast::detail {
 
-/// The integrals of density over a body, in the frame's coordinates, and what they are off at most.
+/// The integrals of density over a body, in the frame's coordinates, with bounds on their errors.
 struct Body {
   Moments moments;
   double mass_error = 0;
@@ -19,10 +19,10 @@ struct Body {
   Body& operator+=(const Body& other);
 };
 
-/// `totals`: of a space.
+/// `totals` are those of a space.
 Body body_of(const Space& space, const Totals& totals, double density);
 
-/// Fills in mass, centroid and inertia.
+/// Fills in mass, centroid and inertia, with their errors.
 void tell_mass(const Frame& frame, const Body& body, Measures& measures);
 
 }  // namespace csgcast::detail
