@@ -12,7 +12,7 @@ struct PlaneRectangle {
   PlanePoint greatest;
 };
 
-/// The rectangle that a picture of a section shows: all of the section, with a small margin.
+/// What a picture of a section shows: all of it, with a small margin.
 PlaneRectangle seen_rectangle(const Section& section);
 
 /// A section as an SVG picture: one filled path of lines, elliptic arcs, which are exact but for the rounding of their

@@ -78,7 +78,7 @@ class Refinement {
   }
 
  private:
-  // At most this many parts are cut side by side, and only parts that make up less than this share of the error.
+  // At most this many parts are cut side by side, and no more than make up this share of the error.
   static constexpr std::size_t most_at_once = 4096;
   static constexpr double share_at_once = 0.25;
   static constexpr std::size_t pieces_of_leaf = 512;

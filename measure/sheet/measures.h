@@ -11,41 +11,41 @@
 
 namespace csgcast {
 
-/// A number and a proved bound on its error. The bound includes rounding (docs/measuring.md).
+/// A number, and a bound on how far the true value is from it: proved, rounding included (docs/measuring.md).
 struct Measured {
   double value = 0;
   double error = 0;
 };
 
-/// The measures of a body. Lengths are in the scene's unit. Masses are densities times volumes.
+/// What a body comes to. Lengths are in the scene's unit; masses are densities times volumes.
 ///
-/// For an empty solid all numbers are 0, and the centroid is NaN. A solid that may be unbounded is not measured: its
-/// numbers are infinite or NaN.
+/// An empty solid has zeros, and a centroid that is not a number. Of a solid that may be unbounded nothing is measured:
+/// numbers are infinite, or are none.
 struct Measures {
   bool is_bounded = true;
   Measured volume;
-  Measured area;  ///< area of the boundary of the regularised solid; where solids touch there is no boundary
+  Measured area;  ///< of the boundary of the regularised solid: where solids touch there is none
   Measured mass;
   Point centroid{};                 ///< the centre of mass
-  double centroid_error = 0;        ///< bound for each coordinate
+  double centroid_error = 0;        ///< of each coordinate
   std::array<double, 6> inertia{};  ///< the tensor about the centroid, along the scene's axes: xx, yy, zz, xy, xz, yz
-  double inertia_error = 0;         ///< bound for each entry
-  Box bounds;                       ///< holds the solid; null if the solid is empty
-  double bounds_error = 0;          ///< the solid is at most this far from each side
-  std::size_t pieces = 0;           ///< the number of pieces that space was cut into
-  bool is_as_asked = true;          ///< true if the errors of volume and area are as small as asked for
+  double inertia_error = 0;         ///< of each entry
+  Box bounds;                       ///< holds the solid; null if that is empty
+  double bounds_error = 0;          ///< it is nowhere farther from a side than this
+  std::size_t pieces = 0;           ///< that space was cut into
+  bool is_as_asked = true;          ///< the errors of volume and area are as small as asked for
 };
 
 struct MeasureOptions {
-  double relative_error = 1e-4;       ///< for volumes: error / value
-  double relative_area_error = 1e-3;  ///< for areas, which need more pieces; infinite: any error will do
-  /// The greatest number of pieces of a body, some 500 bytes each. If it is reached, the bounds stay as they are.
+  double relative_error = 1e-4;       ///< of volumes, error / value
+  double relative_area_error = 1e-3;  ///< of areas, which take more pieces; infinite: any
+  /// The greatest number of pieces of a body, some 500 bytes each; then the bounds are what they are.
   std::size_t most_pieces = 4'000'000;
-  /// Called now and then with a volume's present relative error. If it returns true, the bounds known by then are the
-  /// result, and Measures::is_as_asked tells if they are as small as asked for. Two threads never call it at once. It
-  /// may be empty.
+  /// Asked now and then with a volume's present relative error; true: the bounds that are known by then are the result,
+  /// and Measures::is_as_asked tells if they are as small as asked for. Never asked by two threads at once. May be
+  /// empty.
   std::function<bool(double relative_error)> is_enough{};
-  /// Cancelling is different: then there is no result.
+  /// To cancel is another thing: then there is no result.
   ProgressCallback progress{};
 };
 
