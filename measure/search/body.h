@@ -19,10 +19,10 @@ struct Body {
   Body& operator+=(const Body& other);
 };
 
-/// `totals` are those of a space.
+/// `totals`: of a space.
 Body body_of(const Space& space, const Totals& totals, double density);
 
-/// Fills in mass, centroid and inertia, with their errors.
+/// Fills in mass, centroid and inertia.
 void tell_mass(const Frame& frame, const Body& body, Measures& measures);
 
 }  // namespace csgcast::detail

@@ -22,10 +22,9 @@ struct LinearForm {
 
 /// The part that planes cut out of a box about the origin.
 struct LinearCut {
-  Moments moments;  ///< moments of the points inside
-  std::array<double, Piece::most_surfaces>
-      areas{};                 ///< by plane: the area of its faces, where the value changes across it
-  std::size_t tetrahedra = 0;  ///< the number of tetrahedra that were summed
+  Moments moments;                                   ///< moments of the points inside
+  std::array<double, Piece::most_surfaces> areas{};  ///< by plane: the area of its faces
+  std::size_t tetrahedra = 0;                        ///< the number of tetrahedra that were summed
   std::size_t triangles = 0;
 };
 
