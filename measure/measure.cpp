@@ -23,8 +23,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 void check(const MeasureOptions& options) {
   if (options.relative_error > 0 && options.relative_area_error > 0) return;
-  throw Error(ErrorCode::bad_value, {}, "the relative error asked for is not positive", "it can only be approached",
-              "give a number such as 1e-6");
+  throw Error(ErrorCode::bad_value, {}, "the relative error asked for is not positive",
+              "an error of zero can only be approached", "give a number such as 1e-6");
 }
 
 Measures unbounded() {
@@ -75,8 +75,8 @@ Measurement measure_node(const Scene& scene, NodeId node, double density, const 
                          const Stretch& stretch) {
   check(options);
   if (!(density >= 0) || std::isinf(density))
-    throw Error(ErrorCode::bad_value, {}, "the density is negative or no number", "masses would be so, too",
-                "give a positive one");
+    throw Error(ErrorCode::bad_value, {}, "the density is negative or not finite", "the mass would be, too",
+                "give a density of 0 or more");
   const Space space(scene, node);
   if (!space.is_bounded() && !space.is_empty()) return {unbounded(), {}};
   const Totals totals = detail::refine(space, options, stretch);

@@ -21,7 +21,7 @@ using detail::Planar;
 void check(const Plane& plane) {
   const bool is_sound = is_finite(plane.normal) && longest(plane.normal) > 0 && std::isfinite(plane.distance);
   if (is_sound) return;
-  throw Error(ErrorCode::bad_value, {}, "the plane has a normal that is zero, or numbers that are none",
+  throw Error(ErrorCode::bad_value, {}, "the plane's normal is zero, or one of its numbers is not finite",
               "it does not say where to cut", "give nx,ny,nz,d such as 0,0,1,2.5");
 }
 

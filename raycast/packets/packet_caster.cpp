@@ -31,8 +31,8 @@ const detail::LaneCode& code_named(std::string_view instructions) {
   const auto named =
       std::find_if(codes.begin(), codes.end(), [&](const detail::LaneCode& code) { return code.name == instructions; });
   if (named != codes.end()) return *named;
-  throw Error(ErrorCode::usage, {}, "no instruction set is called " + std::string(instructions),
-              "this machine has others", "ask PacketCaster::instruction_sets()");
+  throw Error(ErrorCode::usage, {}, "there is no instruction set '" + std::string(instructions) + "'",
+              "this machine has other ones", "ask PacketCaster::instruction_sets()");
 }
 
 Ray ray_at(const RayPointers& rays, std::size_t i) {
