@@ -23,7 +23,8 @@ class CommonLine {
   explicit CommonLine(const Scene& scene) : caster_(scene) {}
 
   std::optional<Point> operator()(NodeId a, NodeId b, Point through, Vector along) {
-    // Off the axes by numbers without a meaning: no surface holds such a line, on which sides would be a convention.
+    // The direction is turned off the axes by arbitrary numbers. So no surface holds such a line; on a surface, the
+    // side would be a mere convention.
     along = along + Vector{0x1.3a7f1p-12, 0x1.91c5dp-12, -0x1.6e0b3p-12};
     if (!Ray::in_range(through, along)) return std::nullopt;
     const Ray ray(through, along);
@@ -90,7 +91,8 @@ class Checker {
 
   void check_pairs() {
     const auto parts = scene_.parts();
-    // By their lower sides along x: those after one that begins behind its end share nothing with it.
+    // Parts are sorted by their lower sides along x. All parts after one that begins behind a part's end share nothing
+    // with that part.
     std::vector<std::uint32_t> order(parts.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     const auto box = [&](std::uint32_t i) -> const Box& { return scene_.node(parts[i].node).box; };

@@ -8,20 +8,21 @@
 
 namespace csgcast {
 
-/// One node, as if it were alone and of one density.
+/// Measures one node, as if it were alone and had one density.
 ///
-/// Throws Error(bad_value) for errors that are not positive, or a density that is negative or not finite; Cancelled.
+/// Throws Error(bad_value) for relative errors that are not positive, and for a density that is negative or not finite.
+/// Throws Cancelled.
 Measures measure(const Scene& scene, NodeId node, double density, const MeasureOptions& options = {});
 
-/// The whole solid and each of its parts.
+/// The measures of the whole solid and of each of its parts.
 struct SceneMeasures {
-  /// The mass and what follows from it are those of the parts with their densities, and of the rest with density 1.
-  /// Where parts overlap the first has the place.
+  /// The mass, and what follows from it, comes from the parts with their densities and from the rest with density 1.
+  /// Where parts overlap, the first one counts.
   Measures whole;
-  std::vector<Measures> parts;  ///< each as if it were alone
+  std::vector<Measures> parts;  ///< each part as if it were alone
 };
 
-/// Throws likewise.
+/// Throws as measure() of a node does.
 SceneMeasures measure(const Scene& scene, const MeasureOptions& options = {});
 
 }  // namespace csgcast

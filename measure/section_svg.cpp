@@ -20,9 +20,9 @@ struct Ellipse {
   PlanePoint center;
   double along = 0;  ///< half axes
   double across = 0;
-  double turn = 0;  ///< of the first, radians anticlockwise
+  double turn = 0;  ///< direction of the first axis, in radians anticlockwise
 
-  /// The angle at which a point lies, in the ellipse's own circle.
+  /// The angle of a point in the ellipse's own circle.
   double angle(PlanePoint p) const {
     const double x = p.u - center.u, y = p.v - center.v;
     const double c = std::cos(turn), s = std::sin(turn);
@@ -34,7 +34,7 @@ struct Ellipse {
   }
 };
 
-/// Nothing for another conic, or one so large beside its arc that its numbers say little.
+/// Returns nothing for another conic, or for one so much larger than its arc that its numbers mean little.
 std::optional<Ellipse> ellipse_of(const SectionArc& arc) {
   const auto& [a, b, c, d, e, f] = arc.conic;
   const double det = 4 * a * c - b * b;
@@ -44,11 +44,11 @@ std::optional<Ellipse> ellipse_of(const SectionArc& arc) {
   const double value = 0.5 * (d * ellipse.center.u + e * ellipse.center.v) + f;
   const double mean = 0.5 * (a + c);
   const double half = std::hypot(0.5 * (a - c), 0.5 * b);
-  const double first = mean + (mean > 0 ? half : -half);  // the greater eigenvalue, in magnitude
+  const double first = mean + (mean > 0 ? half : -half);  // the eigenvalue of greater magnitude
   const double second = 0.25 * det / first;
   ellipse.along = std::sqrt(-value / second);
   ellipse.across = std::sqrt(-value / first);
-  // The longer axis is that of the lesser one.
+  // The longer axis belongs to the smaller eigenvalue.
   ellipse.turn = half > 0x1p-50 * std::fabs(mean) ? 0.5 * std::atan2(b, a - c) + (mean > 0 ? 0.5 * pi : 0) : 0;
   const double size = std::hypot(arc.to.u - arc.from.u, arc.to.v - arc.from.v) +
                       std::hypot(arc.middle.u - arc.from.u, arc.middle.v - arc.from.v);
@@ -87,19 +87,20 @@ class PathWriter {
 
   void add(const SectionArc& arc, const Ellipse& ellipse) {
     const double from = ellipse.angle(arc.from);
-    const auto way = [&](PlanePoint p) {  // anticlockwise from the start, in [0, 2 pi)
+    const auto way = [&](PlanePoint p) {  // the angle from the start, anticlockwise, in [0, 2 pi)
       const double angle = ellipse.angle(p) - from;
       return angle < 0 ? angle + 2 * pi : angle;
     };
     const bool is_anticlockwise = way(arc.middle) < way(arc.to);
     const double angle = is_anticlockwise ? way(arc.to) : 2 * pi - way(arc.to);
     for (int i = 1; i < 32; ++i) reach(ellipse.at(from + (is_anticlockwise ? 1 : -1) * angle * i / 32));
-    // Down is positive in pictures: anticlockwise is sweep 0.
+    // In pictures down is positive, so sweep 0 is anticlockwise.
     text_ += fmt::format("A{} {} {} {} {} {}", number(ellipse.along), number(ellipse.across),
                          number(-ellipse.turn * 180 / pi), angle > pi ? 1 : 0, is_anticlockwise ? 0 : 1, place(arc.to));
   }
 
-  /// Between two points of a conic: the parabola with its tangents there, halved until it is near enough.
+  /// Between two points of a conic this draws the parabola with the same tangents there. It is halved until it is close
+  /// enough.
   void add_bezier(const std::array<double, 6>& k, PlanePoint p, PlanePoint q, int depth) {
     const auto gradient = [&](PlanePoint at) {
       return PlanePoint{2 * k[0] * at.u + k[1] * at.v + k[3], k[1] * at.u + 2 * k[2] * at.v + k[4]};
@@ -111,7 +112,7 @@ class PathWriter {
     const PlanePoint middle{0.5 * (p.u + q.u), 0.5 * (p.v + q.v)};
     const std::optional<PlanePoint> shoulder = crossing(k, middle, corner);
     if (!shoulder) {
-      append('L', q);  // as straight as doubles can tell
+      append('L', q);  // the run is as straight as doubles can tell
       return;
     }
     reach(*shoulder);
@@ -124,7 +125,7 @@ class PathWriter {
     }
   }
 
-  /// Where the conic crosses the way from one point to another.
+  /// The place where the conic crosses the straight way between two points.
   static std::optional<PlanePoint> crossing(const std::array<double, 6>& k, PlanePoint from, PlanePoint to) {
     const double du = to.u - from.u, dv = to.v - from.v;
     const double a = (k[0] * du + k[1] * dv) * du + k[2] * dv * dv;

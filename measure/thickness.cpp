@@ -15,14 +15,14 @@
 namespace csgcast {
 namespace {
 
-/// As many numbers as rays, of each kind.
+/// Arrays with one number of each kind for each ray.
 struct Faces {
   std::array<std::vector<double>, 3> place;
   std::array<std::vector<double>, 3> inwards;
   std::vector<std::uint32_t> surface;
   std::vector<std::uint8_t> goes_positive;
   std::vector<std::uint32_t> leaf;
-  std::vector<std::uint32_t> ray;  ///< that met it
+  std::vector<std::uint32_t> ray;  ///< the rays that met the faces
 
   void clear() { *this = {}; }
   void add(Point p, Normal n, SurfaceId id, bool positive, LeafId of, std::uint32_t index) {
@@ -53,7 +53,7 @@ struct Faces {
 struct ThicknessProbe::State {
   explicit State(const Cells& of) : cells(of), caster(of) {}
 
-  /// Casts inwards from the faces, and tells each `tell(face, thickness)`.
+  /// Casts rays inwards from the faces, and calls `tell(face, thickness)` for each.
   template <class Tell>
   void cast_inwards(Tell&& tell) {
     const std::size_t count = faces.count();
@@ -73,7 +73,7 @@ struct ThicknessProbe::State {
     }
   }
 
-  /// Whether the far face leans so much that the two faces are those of a corner, not of a wall.
+  /// True if the far face leans so much that the two faces form a corner and not a wall.
   bool is_corner(Point p, Vector d, SurfaceId id) const {
     const Scene& scene = cells.scene();
     const Vector slope = normalised(gradient(scene.surface(id), scene.frame(), p));
@@ -141,7 +141,7 @@ void ThicknessProbe::all_faces(const RayArrays& rays) {
         Point p;
         for (std::size_t axis = 0; axis < 3; ++axis)
           p[axis] = rays.origin[axis][ray] + crossing.t * rays.direction[axis][ray];
-        // Inside lies where the form falls, or rises, against the normal.
+        // The inside is where the form falls, or rises, against the normal.
         const Vector slope = gradient(scene.surface(crossing.surface), scene.frame(), p);
         const double out = dot(slope, as_vector(face.normal));
         if (out != 0)

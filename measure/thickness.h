@@ -14,17 +14,17 @@
 
 namespace csgcast {
 
-/// A place on a solid's boundary, and how far it is from there straight in, against the normal, to the boundary again.
+/// A place on a solid's boundary, and the distance from there to the opposite boundary, straight in against the normal.
 struct ThinPlace {
   double thickness = 0;
   Point place;
   Normal normal;  ///< unit, out of the solid
-  LeafId leaf;    ///< whose face it is
+  LeafId leaf;    ///< the leaf that the face belongs to
 };
 
-/// Tells how thick a solid is where rays meet it. The ray that goes in starts on the face itself (Departure), with no
-/// epsilon; where it ends is certified, for the place and direction as they were rounded. The working memory of one
-/// thread.
+/// Measures how thick a solid is where rays meet it. The ray that goes in starts on the face itself (Departure),
+/// without any epsilon. Its end is certified, for the rounded place and direction. The object is the working memory of
+/// one thread.
 class ThicknessProbe {
  public:
   /// The cells must outlive the probe.
@@ -32,14 +32,14 @@ class ThicknessProbe {
   ~ThicknessProbe();
   ThicknessProbe(ThicknessProbe&&) noexcept;
 
-  /// Tells the thickness at the first face that each ray enters by: 0 where it enters by none, infinite where nothing
-  /// ends the solid. Precondition: as many numbers as rays.
+  /// For each ray, gives the thickness at the first face by which it enters. The thickness is 0 if the ray enters by
+  /// none, and infinite if nothing ends the solid. Precondition: there is one number for each ray.
   void first_faces(const RayArrays& rays, std::span<double> thickness);
-  /// Looks at every face that the rays meet.
+  /// Examines every face that the rays meet.
   void all_faces(const RayArrays& rays);
 
-  /// The thinnest place so far that is a wall: the far face is at most 60 degrees from square to the way in. Towards
-  /// corners solids are as thin as one likes.
+  /// The thinnest place so far that is a wall: the normal of the far face is at most 60 degrees from the way in. Near
+  /// corners there is no lower limit to the thickness.
   const std::optional<ThinPlace>& thinnest() const;
 
  private:
@@ -47,9 +47,9 @@ class ThicknessProbe {
   std::unique_ptr<State> state_;
 };
 
-/// The thinnest of the places that `samples` x `samples` rays along each axis of the scene, evenly spread over its
-/// bounds, meet, two for each of their intervals. No bound: between the rays the solid may be thinner. Nothing for a
-/// solid that is empty or unbounded. Throws Cancelled.
+/// The thinnest of the places that rays meet: `samples` x `samples` rays along each axis of the scene, evenly spread
+/// over its bounds, and two places for each of their intervals. The result is no bound, because between the rays the
+/// solid may be thinner. Returns nothing for a solid that is empty or unbounded. Throws Cancelled.
 std::optional<ThinPlace> find_thinnest(const Cells& cells, std::size_t samples, const ProgressCallback& callback = {});
 
 }  // namespace csgcast

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int tries = 4;
 
-// Few bits: products and sums with other short numbers are exact.
+// The numbers have few bits, so products and sums with other short numbers are exact.
 Vector short_direction(Random& random) {
   for (;;) {
     Vector v;
@@ -31,7 +31,7 @@ Vector axis_direction(Random& random) {
 
 double longest(Vector v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
-// x moved by up to two ulps; a zero by as much as is an ulp of `beside`, now and then by the least number there is.
+// Moves x by up to two ulps. A zero moves by up to an ulp of `beside`, and sometimes by the least double.
 double moved_by_ulps(Random& random, double x, double beside) {
   const double steps = static_cast<double>(random.index(5)) - 2;
   if (x == 0) return steps * (random.index(8) == 0 ? std::numeric_limits<double>::denorm_min() : 0x1p-52 * beside);
@@ -108,7 +108,7 @@ void AdversarialRays::random_rays(Random& random) {
   add(places_.anywhere(random) - random.number(0, 3) * d, d);
 }
 
-// Some direction through a point, and an origin that is exact where the numbers are short.
+// Chooses some direction through a point, and an origin that is exact if the numbers are short.
 void AdversarialRays::through(Random& random, Point p, Vector along) {
   Vector d;
   switch (random.index(5)) {
@@ -132,7 +132,7 @@ void AdversarialRays::through(Random& random, Point p, Vector along) {
   add(p - 0.25 * static_cast<double>(random.index(13)) * d, d);
 }
 
-// A point on an edge, a corner, a center or a face, whichever the scene has.
+// A point on an edge, at a corner, at a center or on a face, depending on what the scene has.
 std::optional<Point> AdversarialRays::special_point(Random& random) {
   const std::size_t kind = random.index(4);
   if (kind == 0) return places_.center(random);
@@ -161,7 +161,7 @@ void AdversarialRays::along_axes(Random& random) {
   if (p) add(*p - 0.5 * static_cast<double>(random.index(9)) * d, d);
 }
 
-// Exactly in the plane where it is axis-parallel and at a representable place.
+// A ray is exactly in the plane if that is axis-parallel and at a representable place.
 void AdversarialRays::in_faces(Random& random) {
   const std::optional<SurfacePlace> place = places_.on_surface(random, ScenePlaces::Shape::flat);
   if (!place) return;
@@ -170,7 +170,7 @@ void AdversarialRays::in_faces(Random& random) {
   add(place->point - 0.5 * static_cast<double>(random.index(5)) * d, d);
 }
 
-// Past a surface at 1e-6 to 1e-16 of the scene's size, on either side, or touching it.
+// Rays pass a surface at 1e-6 to 1e-16 of the scene's size, on either side, or touch it.
 void AdversarialRays::tangents(Random& random) {
   const std::optional<SurfacePlace> place = places_.on_surface(random);
   if (!place) return;
@@ -179,7 +179,7 @@ void AdversarialRays::tangents(Random& random) {
   add(place->point + off * place->normal - random.number(0, 3) * d, d);
 }
 
-// Through a point of a surface with a slope of 1e-3 to 1e-17 to it.
+// Rays pass through a point of a surface with a slope of 1e-3 to 1e-17 to it.
 void AdversarialRays::grazing(Random& random) {
   const std::optional<SurfacePlace> place = places_.on_surface(random);
   if (!place) return;
@@ -210,7 +210,7 @@ void AdversarialRays::starting_on_surfaces(Random& random) {
                           : random.direction());
 }
 
-// The surfaces of all ends of the list; false if there is no such ray.
+// Finds the surfaces of all ends of the list. Returns false if there is no such ray.
 bool AdversarialRays::see(Point eye, Vector direction, std::vector<SurfaceId>& seen) {
   seen.clear();
   if (!is_finite(eye) || !is_finite(direction) || !Ray::in_range(eye, direction)) return false;
@@ -223,7 +223,7 @@ bool AdversarialRays::see(Point eye, Vector direction, std::vector<SurfaceId>& s
   return true;
 }
 
-// The last bits of the way between two rays of one origin that see different surfaces.
+// Bisects between two rays from one origin that see different surfaces, down to the last bits.
 void AdversarialRays::bisected(Random& random) {
   const Point eye = places_.anywhere(random) - 3 * places_.size() * random.direction();
   Vector a = places_.anywhere(random) - eye;
@@ -240,7 +240,7 @@ void AdversarialRays::bisected(Random& random) {
   add(eye, b);
 }
 
-// A ray of a kind that stands by itself.
+// A ray of one of the base kinds.
 std::optional<Ray> AdversarialRays::base(Random& random) {
   const std::size_t before = made_.size();
   (this->*table[random.index(base_kinds)].make)(random);

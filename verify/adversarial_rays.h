@@ -15,11 +15,11 @@ class AdversarialRays {
   /// The scene must outlive it.
   explicit AdversarialRays(const Scene& scene) : places_(scene) {}
 
-  /// What the kinds of rays are called, in their order; the first is plain random rays, the others are hard.
+  /// The names of the kinds of rays, in order. The first kind is plain random rays; all others are hard.
   static std::span<const std::string_view> kinds();
 
-  /// Appends up to `most` rays of a kind. There are fewer, or none, where the scene has no place for them (a ball has
-  /// no edges), or they would be out of range. They depend only on the scene and the random source.
+  /// Appends up to `most` rays of a kind. There are fewer, or none, if the scene has no place for them (a ball has no
+  /// edges), or if they would be out of range. The rays depend only on the scene and the random source.
   void make(std::size_t kind, Random& random, std::size_t most, std::vector<Ray>& rays);
 
  private:
@@ -50,7 +50,7 @@ class AdversarialRays {
   bool see(Point eye, Vector direction, std::vector<SurfaceId>& seen);
 
   ScenePlaces places_;
-  std::vector<Ray> made_;  // by the present call of a kind
+  std::vector<Ray> made_;  // the rays made by the present call of a kind
   IntervalList list_;
   std::vector<SurfaceId> at_a_;
   std::vector<SurfaceId> seen_;

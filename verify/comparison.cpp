@@ -10,7 +10,7 @@
 namespace csgcast::verify {
 namespace {
 
-// Bounds the memory, and is enough to fill any packet.
+// This limits the memory, and is enough to fill any packet.
 constexpr std::size_t rays_at_once = 16;
 
 bool same(const Crossing& a, const Crossing& b) { return a.surface == b.surface && a.t == b.t; }
@@ -63,7 +63,7 @@ std::string difference(Question question, const Answers& found, const Answers& e
 
 Crossing mirrored(const Crossing& c) { return {-c.t, c.surface, c.root}; }
 
-/// What the reversed ray must see.
+/// Makes the list that the reversed ray must see.
 void mirror(const IntervalList& list, IntervalList& result) {
   result.clear();
   for (auto i = list.rbegin(); i != list.rend(); ++i) result.push_back({mirrored(i->exit), mirrored(i->entry)});
@@ -104,7 +104,7 @@ std::string interval_options(const Mismatch& mismatch) {
   const bool reversed = mismatch.question == Question::reversed;
   const Point o = mismatch.ray.origin();
   Vector d = mismatch.ray.direction();
-  if (reversed) d = Vector{} - d;  // no negative zeros
+  if (reversed) d = Vector{} - d;  // the subtraction avoids negative zeros
   const bool whole_line = reversed || mismatch.question == Question::line;
   return fmt::format("{}--ray={},{},{},{},{},{}", whole_line ? "--line " : "", o.x, o.y, o.z, d.x, d.y, d.z);
 }

@@ -15,10 +15,10 @@ namespace csgcast::verify {
 /// Counts of one engine over some rays.
 struct Tally {
   std::uint64_t rays = 0;
-  std::uint64_t intervals = 0;        ///< on their whole lines, by exact arithmetic
+  std::uint64_t intervals = 0;        ///< intervals on the rays' whole lines, by exact arithmetic
   std::uint64_t flagged = 0;          ///< rays with a decision that plain double left open
   std::uint64_t exact_decisions = 0;  ///< decisions that took exact numbers, over all questions
-  std::uint64_t wrong = 0;            ///< rays with an answer that is not the exact stage's
+  std::uint64_t wrong = 0;            ///< rays with an answer that differs from the exact stage's
   Tally& operator+=(const Tally& other);
   friend bool operator==(const Tally&, const Tally&) = default;
 };
@@ -32,18 +32,19 @@ struct Mismatch {
   Ray ray;
   std::string_view engine;
   Question question;
-  std::string difference;  ///< what was found and what was expected
+  std::string difference;  ///< what was found, and what was expected
 };
 
-/// The options of `csgcast intervals SCENE ..` that show what a mismatch is about; the numbers read back to the same
-/// doubles.
+/// The options of `csgcast intervals SCENE ..` that show a mismatch. The numbers read back to the same doubles.
 std::string interval_options(const Mismatch& mismatch);
 
-/// Compares engines on one scene with the exact stage: whole lists bit by bit (how many intervals, which surfaces,
-/// which t; the two zeros are equal), over [0, infinity) and the whole line, the list of the reversed ray, first_hit
-/// and any_hit. Roots are not compared: an engine numbers those that matter to the scene.
+/// Compares engines on one scene with the exact stage. Lists over [0, infinity) and over the whole line are compared
+/// bit by bit: the number of intervals, the surfaces and each t (the two zeros are equal). The list of the reversed
+/// ray, first_hit and any_hit are compared, too. Roots are not compared, because an engine numbers only those that
+/// matter to the scene.
 ///
-/// The exact stage is asked for two lists; the rest follows from these by definition. Working memory for one thread.
+/// The exact stage computes two lists. The other answers follow from these by definition. Working memory for one
+/// thread.
 class Comparison {
  public:
   /// The scene must outlive the comparison.

@@ -39,7 +39,7 @@ class ScalarEngine final : public Engine {
   Caster caster_;
 };
 
-// Packets, with one instruction set.
+// The engine of packets, with one instruction set.
 class PacketEngine final : public Engine {
  public:
   PacketEngine(const Cells& cells, PacketCaster::Width width, std::string_view instructions)
@@ -61,7 +61,7 @@ class PacketEngine final : public Engine {
     ask(rays, {}, answers, &Answers::ray);
     ask(rays, Span::line(), answers, &Answers::line);
     ask(reversed_, Span::line(), answers, &Answers::reversed);
-    // What was left to the caster is known of all rays together only.
+    // The work left to the caster is known only for all rays together.
     const std::uint64_t spent = caster_.caster_counts().exact_calls - exact;
     for (Answers& answer : answers.first(rays.size())) answer.exact_decisions = 0;
     if (!rays.empty()) answers.front().exact_decisions = spent;
@@ -87,7 +87,7 @@ class PacketEngine final : public Engine {
 std::vector<EngineKind> make_table() {
   std::vector<EngineKind> table;
   table.push_back({"scalar", [](Subject& s) { return scalar_engine(s.scene(), certified_predicates()); }});
-  static std::deque<std::string> names;  // the table's names stay
+  static std::deque<std::string> names;  // the table's names must stay valid
   const auto add = [&](PacketCaster::Width width, std::string_view set) {
     names.push_back((width == PacketCaster::Width::packet ? "packets/" : "single/") + std::string(set));
     table.push_back({names.back(), [=](Subject& s) { return std::make_unique<PacketEngine>(s.cells(), width, set); }});

@@ -13,26 +13,26 @@
 
 namespace csgcast::verify {
 
-/// Everything that is asked about one ray.
+/// All answers about one ray.
 struct Answers {
   IntervalList ray;       ///< over [0, infinity)
   IntervalList line;      ///< over the whole line
   IntervalList reversed;  ///< over the whole line of (origin, -direction)
   std::optional<Hit> first_hit;
   bool any_hit = false;
-  bool flagged = false;               ///< some decision of structure was left open by plain double
-  std::uint64_t exact_decisions = 0;  ///< decisions of structure that took exact numbers
+  bool flagged = false;               ///< true if plain double left some decision of structure open
+  std::uint64_t exact_decisions = 0;  ///< the number of decisions of structure that needed exact numbers
 };
 
-/// One way to answer rays, with working memory of its own: one for each thread.
+/// One way to answer rays. It has working memory of its own, so each thread has one.
 class Engine {
  public:
   virtual ~Engine() = default;
-  /// Overwrites `answers`, one for each ray. Many rays at once, so that engines that work on packets fill them.
+  /// Overwrites `answers`, one for each ray. Many rays come at once, to fill the packets of engines that use them.
   virtual void answer(std::span<const Ray> rays, std::span<Answers> answers) = 0;
 };
 
-/// What engines answer about: a scene, and its cells once somebody asks for them. For one thread.
+/// The subject of engines: a scene, and its cells, which are made when they are asked for first. For one thread.
 class Subject {
  public:
   /// The scene must outlive the subject.
@@ -56,7 +56,7 @@ struct EngineKind {
 /// Every engine that promises the answer of docs/answer.md. A new one is one more row here.
 std::span<const EngineKind> engines();
 
-/// The caster, one ray at a time, with these predicates. Each question is asked with nothing known from the one before.
+/// The caster, one ray at a time, with the given predicates. No question uses results of an earlier one.
 std::unique_ptr<Engine> scalar_engine(const Scene& scene, const Predicates& predicates);
 
 }  // namespace csgcast::verify

@@ -15,7 +15,7 @@ namespace csgcast::verify {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
-  /// A stream of its own for each pair.
+  /// Makes a separate stream for each pair.
   Random(std::uint64_t seed, std::uint64_t stream) : state_(Random(seed ^ Random(stream).bits()).bits()) {}
 
   std::uint64_t bits() {
@@ -24,9 +24,9 @@ class Random {
     z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
     return z ^ (z >> 31);
   }
-  /// In [low, high).
+  /// A number in [low, high).
   double number(double low, double high) { return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53); }
-  /// In [0, count). Precondition: count > 0.
+  /// A number in [0, count). Precondition: count > 0.
   std::size_t index(std::size_t count) {
     CSGCAST_PRECONDITION(count > 0);
     return static_cast<std::size_t>(bits() % count);
@@ -34,7 +34,7 @@ class Random {
   double sign() { return index(2) == 0 ? 1 : -1; }
   /// 10^-digits with digits anywhere in [least, most).
   double power_of_tenth(double least, double most) { return std::pow(10.0, -number(least, most)); }
-  /// Of a length between 0.1 and 1.8.
+  /// A direction whose length is between 0.1 and 1.8.
   Vector direction() {
     for (;;) {
       const Vector v{number(-1, 1), number(-1, 1), number(-1, 1)};

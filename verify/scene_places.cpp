@@ -122,7 +122,7 @@ std::optional<Corner> ScenePlaces::corner(Random& random, std::size_t count) {
     Point start;
     if (pick_surfaces(random, count, picked.data(), start) < count) continue;
     const std::span<SurfaceId> surfaces = std::span(picked).first(count);
-    // Planes first: the step onto an axis-parallel one is not touched by those after it.
+    // Planes come first, because the step onto an axis-parallel plane is not changed by the steps after it.
     std::stable_partition(surfaces.begin(), surfaces.end(), [&](SurfaceId id) { return scene().surface(id).is_plane; });
     const std::optional<Point> p = meeting_point(scene(), surfaces, start);
     if (!p) continue;

@@ -22,9 +22,9 @@ struct Corner {
       along;  ///< the edge's direction, of any length, zero where it has none; of three surfaces that of the first two
 };
 
-/// Finds places of a scene where rays are hard: any scene, bounded or not, of any size, empty ones too. What cannot be
-/// found after some tries, or does not exist, is nullopt. Working memory for one thread; what is found depends only on
-/// the scene and the random source.
+/// Finds places of a scene where rays are hard. The scene may be bounded or not, of any size, or empty. The result is
+/// nullopt if the place does not exist, or is not found after some tries. Working memory for one thread. The results
+/// depend only on the scene and the random source.
 class ScenePlaces {
  public:
   enum class Shape { flat, curved };  ///< of a surface: a plane, or not
@@ -34,14 +34,14 @@ class ScenePlaces {
 
   const Scene& scene() const { return caster_.scene(); }
   Caster& caster() { return caster_; }
-  /// About the size of the bounded leaves together, a power of two; 1 if there are none.
+  /// The approximate size of all bounded leaves together, as a power of two. 1 if there are none.
   double size() const { return size_; }
 
   /// A point among the bounded leaves, often near one of them.
   Point anywhere(Random& random) const;
-  /// A point on a surface, on the boundary of the solid or not. `shape`: only on such surfaces.
+  /// A point on a surface, on the boundary of the solid or not. If `shape` is given, only such surfaces are used.
   std::optional<SurfacePlace> on_surface(Random& random, std::optional<Shape> shape = std::nullopt);
-  /// A point where `count` surfaces meet, 2 or 3: of one leaf, or of leaves that one ray meets.
+  /// A point where `count` surfaces (2 or 3) meet. They belong to one leaf, or to leaves that one ray meets.
   std::optional<Corner> corner(Random& random, std::size_t count);
   /// The apex of a cone or the center of another quadric.
   std::optional<Point> center(Random& random);

@@ -36,7 +36,7 @@ Vector world_gradient(const Surface& surface, Point p) {
           2 * c[Form::zz] * p.z + c[Form::xz] * p.x + c[Form::yz] * p.y + c[Form::z]};
 }
 
-// The gradient at p, of which only the last step rounds, in the scale of the world's coefficients.
+// The gradient at p, in the scale of the world's coefficients. Only the last step rounds.
 Vector exact_gradient(const Form& form, Point p) {
   const auto& c = form.coefficient;
   const std::int64_t scale = scale_of(form);
@@ -49,7 +49,8 @@ Vector exact_gradient(const Form& form, Point p) {
           (two * c[Form::zz] * z + c[Form::xz] * x + c[Form::yz] * y + c[Form::z]).scaled(-scale).nearest()};
 }
 
-// The shortest step from p onto all tangent planes at once: one direction after the other, each square to those before.
+// The shortest step from p onto all tangent planes at once. It takes one direction after the other, each square to
+// those before.
 std::optional<Vector> newton_step(const Scene& scene, std::span<const SurfaceId> surfaces, Point p) {
   CSGCAST_PRECONDITION(surfaces.size() <= 3);
   std::array<Vector, 3> axis;
@@ -79,7 +80,7 @@ Matrix second_degree(const Surface::Coefficients& c) {
           Vector{c[Form::xz], c[Form::yz], 2 * c[Form::zz]}};
 }
 
-// x with m x = v. None if the matrix is singular, or so nearly that it may be by rounding.
+// Solves m x = v. Returns nothing if the matrix is singular, or so nearly singular that rounding may be the reason.
 std::optional<Vector> solve(Matrix m, Vector v) {
   const double size = std::max({longest(m[0]), longest(m[1]), longest(m[2])});
   if (!(size > 0)) return std::nullopt;

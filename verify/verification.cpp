@@ -17,7 +17,7 @@ constexpr int most_rounds = 8;
 
 std::size_t adversarial_kinds() { return AdversarialRays::kinds().size() - 1; }
 
-/// What one thread needs.
+/// The objects that one thread needs.
 struct Worker {
   Worker(const Scene& scene, std::span<const EngineKind> kinds) : rays(scene), comparison(scene, kinds) {}
   AdversarialRays rays;
@@ -26,7 +26,7 @@ struct Worker {
   std::vector<Mismatch> mismatches;
 };
 
-/// Rays are made and compared in blocks, each with random numbers of its own; the first blocks are random rays.
+/// Rays are made and compared in blocks. Each block has random numbers of its own. The first blocks are random rays.
 class Job {
  public:
   Job(const Scene& scene, const VerificationOptions& options, std::span<const EngineKind> kinds)
@@ -63,14 +63,14 @@ class Job {
       for (int round = 0; round < most_rounds && left > 0; ++round) left -= do_rays(worker, block, 0, random, left);
     } else {
       const std::size_t kinds = adversarial_kinds();
-      // Blocks that are cut short begin with another kind each.
+      // Each block that is cut short begins with a different kind.
       for (std::size_t i = 0; i < most_rounds * kinds && left > 0; ++i)
         left -= do_rays(worker, block, 1 + (index + i) % kinds, random, std::min(left, rays_a_kind_));
     }
     progress_.step();
   }
 
-  /// How many there were.
+  /// Makes and compares rays of a kind, and returns their number.
   std::size_t do_rays(Worker& worker, std::uint64_t block, std::size_t kind, Random& random, std::size_t most) {
     worker.made.clear();
     worker.mismatches.clear();
@@ -83,7 +83,7 @@ class Job {
     return worker.made.size();
   }
 
-  /// Of one block they come in order.
+  /// Mismatches of one block come in order.
   void keep(std::uint64_t block, FoundMismatch mismatch) {
     const auto after = std::find_if(found_.begin(), found_.end(), [&](const auto& f) { return f.first > block; });
     found_.insert(after, {block, std::move(mismatch)});
@@ -91,12 +91,12 @@ class Job {
   }
 
   const VerificationOptions& options_;
-  std::size_t rays_a_kind_;  // in a round of all kinds
+  std::size_t rays_a_kind_;  // the number of rays of each kind in a round of all kinds
   std::size_t rays_a_block_;
   std::uint64_t blocks_a_sort_;
   ProgressTeller progress_;
   tbb::enumerable_thread_specific<Worker> workers_;
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the following members
   VerificationReport report_;
   std::vector<std::pair<std::uint64_t, FoundMismatch>> found_;  // ascending in the block
 };
@@ -119,8 +119,8 @@ VerificationReport verify_scene(const Scene& scene, const VerificationOptions& o
 std::uint64_t moderate_ray_count(const Scene& scene) {
   constexpr std::uint64_t most = 10'000;
   constexpr std::uint64_t least = 20;
-  constexpr std::uint64_t budget = 1'500'000;  // of work, as counted below, for each sort of rays
-  constexpr std::uint64_t enough = 200'000;    // of it, to know
+  constexpr std::uint64_t budget = 1'500'000;  // the work for each sort of rays, as counted below
+  constexpr std::uint64_t enough = 200'000;    // the work after which the cost is known
   constexpr int rounds = 4;
   AdversarialRays source(scene);
   Caster exact(scene, exact_predicates());

@@ -12,10 +12,10 @@
 namespace csgcast::verify {
 
 struct VerificationOptions {
-  std::uint64_t rays = 10'000;  ///< random rays, and as many adversarial ones
+  std::uint64_t rays = 10'000;  ///< the number of random rays, and of adversarial ones
   std::uint64_t seed = 1;
-  int threads = 0;                   ///< as of on_threads(); 0: those of the present arena
-  std::size_t most_mismatches = 10;  ///< how many are kept to be shown
+  int threads = 0;                   ///< as for on_threads(); 0 means the threads of the present arena
+  std::size_t most_mismatches = 10;  ///< the number of mismatches that are kept to be shown
   ProgressCallback progress{};
 };
 
@@ -32,22 +32,23 @@ struct FoundMismatch {
 
 struct VerificationReport {
   std::vector<std::string_view> engines;
-  std::vector<KindReport> kinds;          ///< those that the scene has rays of
+  std::vector<KindReport> kinds;          ///< the kinds that the scene has rays of
   std::vector<FoundMismatch> mismatches;  ///< the first ones, in the order in which the rays were made
-  /// Over all kinds, for each engine.
+  /// The sums over all kinds, for each engine.
   std::vector<Tally> totals() const;
 };
 
-/// Compares engines with the exact stage on random rays and on adversarial ones (adversarial_rays.h). Kinds of rays
-/// that the scene has no place for are made up for by the others; near the limits of the range there may be fewer.
+/// Compares engines with the exact stage on random rays and on adversarial ones (adversarial_rays.h). If the scene has
+/// no place for some kinds of rays, there are more rays of the other kinds. Near the limits of the range there may be
+/// fewer rays.
 ///
-/// The report depends on the scene, the rays and the seed, and not on the number of threads. Memory does not grow with
-/// the number of rays. Throws Cancelled.
+/// The report depends on the scene, the number of rays and the seed, and not on the number of threads. Memory does not
+/// grow with the number of rays. Throws Cancelled.
 VerificationReport verify_scene(const Scene& scene, const VerificationOptions& options,
                                 std::span<const EngineKind> kinds = engines());
 
-/// How many rays of each sort take seconds rather than minutes: 10,000, fewer where rays meet very many surfaces. Found
-/// by counting on a few rays, so it is the same on every machine.
+/// The number of rays of each sort that takes seconds rather than minutes: 10,000, or fewer if rays meet very many
+/// surfaces. It is found by counting the work of a few rays, so it is the same on every machine.
 std::uint64_t moderate_ray_count(const Scene& scene);
 
 }  // namespace csgcast::verify

@@ -7,7 +7,8 @@
 
 namespace csgcast {
 
-/// A closed axis-aligned box; null (lower > upper) holds no point, a degenerate one (lower == upper) still holds some.
+/// A closed axis-aligned box. A null box (lower > upper) holds no point. A degenerate one (lower == upper) still holds
+/// some.
 struct Box {
   Point lower{inf, inf, inf};
   Point upper{-inf, -inf, -inf};
@@ -25,9 +26,9 @@ struct Box {
   static constexpr double inf = std::numeric_limits<double>::infinity();
 };
 
-/// The least box that holds both.
+/// The smallest box that holds both.
 Box hull(const Box& a, const Box& b);
-/// The points in both; touching boxes share a degenerate one.
+/// The points in both boxes. Touching boxes share a degenerate box.
 Box intersection(const Box& a, const Box& b);
 
 }  // namespace csgcast

@@ -20,16 +20,16 @@ enum class ErrorCode {
   machine,       ///< no fault of the input: a full disk, a file that broke off
 };
 
-/// How the libraries say that something is wrong. There are four ways:
+/// The libraries report that something is wrong in one of four ways:
 ///
-/// - Bad input throws Error: whatever comes from a user, a file or another program, and is not what it should be. The
-///   error has a code, the place, and a sentence that says what is wrong, why, and what to do. So have files that
-///   cannot be written. A function that throws it says so.
+/// - Bad input throws Error. Bad input is anything from a user, a file or another program that is not what it should
+///   be. The error has a code, the place, and a sentence that says what is wrong, why, and what to do. A file that
+///   cannot be written also throws Error. Each function that throws it says so.
 /// - A broken precondition is a mistake in the calling program: CSGCAST_PRECONDITION (precondition.h).
-/// - A call that its caller ended throws Cancelled (progress.h).
-/// - Memory that runs out throws std::bad_alloc.
+/// - A call that its caller cancelled throws Cancelled (progress.h).
+/// - If memory runs out, std::bad_alloc is thrown.
 ///
-/// The libraries do not print and do not end the process, but for a broken precondition.
+/// The libraries do not print. They do not end the process, except for a broken precondition.
 ///
 /// what() reads `file:line:column: error: what (why); what to do`.
 class Error : public std::runtime_error {
@@ -44,7 +44,7 @@ class Error : public std::runtime_error {
   Place place_;
 };
 
-/// Something odd in the input that has a defined meaning all the same.
+/// Something odd in the input that nevertheless has a defined meaning.
 struct Warning {
   Place place;
   std::string text;

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 constexpr int most_links = 40;  // as many as Linux follows
 
-/// The end of a chain of links, the last of which may point to nothing; empty if the chain does not end.
+/// The end of a chain of links. The last link may point to a file that does not exist. Empty if the chain does not end.
 fs::path end_of_links(fs::path place) {
   std::error_code error;
   for (int i = 0; i <= most_links; ++i) {

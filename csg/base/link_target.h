@@ -5,9 +5,9 @@
 
 namespace csgcast {
 
-/// The file that writing to a path makes or changes: symbolic links are followed, also to a file that does not exist
-/// yet, and the folders of the result are canonical. What cannot be followed (links in a circle, a pipe below /proc)
-/// is returned as it is.
+/// The file that a write to a path creates or changes. Symbolic links are followed, also to a file that does not exist
+/// yet. The folders of the result are canonical. A path that cannot be followed (links in a circle, a pipe below /proc)
+/// is returned unchanged.
 std::string link_target(const std::string& path);
 
 }  // namespace csgcast

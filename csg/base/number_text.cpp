@@ -13,7 +13,7 @@
 namespace csgcast {
 namespace {
 
-/// The exponent that is written out, held within ±10^18 so that sums with it do not overflow.
+/// The exponent as written, limited to ±10^18 so that sums with it do not overflow.
 std::int64_t written_exponent(std::string_view digits) {
   constexpr std::int64_t limit = 1'000'000'000'000'000'000;
   const bool negative = digits.starts_with('-');
@@ -24,7 +24,7 @@ std::int64_t written_exponent(std::string_view digits) {
   return negative ? -exponent : exponent;
 }
 
-/// Whether a non-zero number is at least 1: its first non-zero digit then stands before the point.
+/// True if a non-zero number is at least 1. Then its first non-zero digit is before the point.
 bool at_least_one(std::string_view spelling) {
   const std::size_t mark = spelling.find_first_of("eE");
   const std::string_view mantissa = spelling.substr(0, mark);

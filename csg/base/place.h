@@ -7,7 +7,8 @@
 
 namespace csgcast {
 
-/// The name of a file. Copies share it: every node of a large scene has a place, and all are in one file.
+/// The name of a file. Copies share the string, because every node of a large scene has a place, and all are in one
+/// file.
 class FileName {
  public:
   FileName() = default;
@@ -25,8 +26,8 @@ class FileName {
   Shared<Name> name_;  // none: empty
 };
 
-/// Where in a scene text something stands; line 0 means that no place is known. Lines and columns count from 1, columns
-/// in bytes.
+/// A place in a scene text. Line 0 means that no place is known. Lines and columns count from 1, and columns count
+/// bytes.
 struct Place {
   FileName file;
   int line = 0;
@@ -34,7 +35,7 @@ struct Place {
   friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// `file:line:column`, or what is known of it.
+/// `file:line:column`, or the part of it that is known.
 std::string to_string(const Place& place);
 
 }  // namespace csgcast

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// CSGCAST_PRECONDITION(condition): what the caller of a function promises. A broken promise is a mistake in the
-/// program, no bad input (see error.h): the file, line, function and condition are printed, and the process aborts.
+/// CSGCAST_PRECONDITION(condition) checks what the caller of a function promises. A broken promise is a mistake in the
+/// program, not bad input (see error.h). The file, line, function and condition are printed, and the process aborts.
 ///
-/// CMake's option CSGCAST_CHECK_PRECONDITIONS switches the checks on for the libraries and for whoever links them; it
-/// is on in debug and sanitizer builds. Where it is off the condition is compiled, but not evaluated.
+/// CMake's option CSGCAST_CHECK_PRECONDITIONS enables the checks for the libraries and for all code that links them. It
+/// is on in debug and sanitizer builds. If it is off, the condition is compiled but not evaluated.
 #if defined(CSGCAST_CHECK_PRECONDITIONS)
 #define CSGCAST_PRECONDITION(...) \
   ((__VA_ARGS__)                  \

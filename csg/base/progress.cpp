@@ -15,7 +15,8 @@ ProgressTeller::ProgressTeller(const ProgressCallback& callback, std::uint64_t s
 void ProgressTeller::tell(const Progress& progress) {
   if (!callback_) return;
   if (is_over_.load(std::memory_order_acquire)) std::rethrow_exception(end_);
-  // No mutex: a callback that works on several threads may be given another piece of this call's work meanwhile.
+  // There is no mutex, because a callback that works on several threads may be given another piece of this call's work
+  // meanwhile.
   if (is_telling_.exchange(true, std::memory_order_acquire)) return;
   call(progress);
   is_telling_.store(false, std::memory_order_release);

@@ -27,8 +27,8 @@ class Counted {
   std::size_t owners_ = 1;  // read and written atomically
 };
 
-/// One of the owners of a value that does not change, or of none; the last one deletes it. Copies may be made and
-/// dropped by any threads. T derives from Counted; where it is incomplete, the value cannot be looked at.
+/// One of the owners of a value that does not change, or of no value. The last owner deletes the value. Any thread may
+/// make and drop copies. T derives from Counted. Where T is incomplete, the value cannot be accessed.
 template <class T>
 class Shared {
  public:
@@ -45,7 +45,7 @@ class Shared {
     if (value_ != nullptr) value_->drop_owner();
   }
 
-  /// A new value, of T or of a class derived from it, and its first owner.
+  /// Makes a new value, of T or of a class derived from it, and returns its first owner.
   template <class Value = T, class... Arguments>
   static Shared make(Arguments&&... arguments) {
     Shared made;
@@ -57,11 +57,11 @@ class Shared {
   /// Precondition: there is a value.
   const T& operator*() const { return static_cast<const T&>(*value_); }
   const T* operator->() const { return &**this; }
-  /// The value if this is its only owner, who alone may change it; else null.
+  /// The value if this is its only owner, who alone may change it. Otherwise null.
   T* if_only_owner() const {
     return value_ != nullptr && value_->has_one_owner() ? &static_cast<T&>(*value_) : nullptr;
   }
-  /// The same value, not an equal one.
+  /// True for the same value, not for an equal one.
   friend bool operator==(const Shared&, const Shared&) = default;
 
  private:

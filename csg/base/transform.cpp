@@ -23,8 +23,8 @@ double sin_of_acute(double degrees) {
   return degrees > 45 ? std::cos(radians(90 - degrees)) : std::sin(radians(degrees));
 }
 
-// The largest component is brought near 1 by a power of two, and exactly to 1 if it is the only one: then every product
-// below is exact.
+// A power of two brings the largest component near 1. If it is the only component it becomes exactly 1, and then every
+// product below is exact.
 Vector scaled_axis(Vector v) {
   const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   const bool only_one = (v.x != 0) + (v.y != 0) + (v.z != 0) == 1;
@@ -33,11 +33,11 @@ Vector scaled_axis(Vector v) {
   return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
 }
 
-// What an entry of a rotation may be off by, in units of 2^-53: an angle known to half an ulp moves it by at most its
-// radians (of more than a turn only the last turn counts: whoever writes 1e20 degrees means that number); a sine or
-// cosine is off by at most 4 (two roundings and pi's own on the way to at most pi/4 radians, the function's last bit);
-// three of them, four products and a sum about axes by at most 20; about an axis, whose coordinates are known to half
-// an ulp, 12 more than the sine and cosine.
+// The error of an entry of a rotation, in units of 2^-53. If an angle is known to half an ulp, the entry moves by at
+// most the angle in radians. For more than a turn only the last turn counts, because 1e20 degrees in a text means
+// exactly that number. A sine or cosine is off by at most 4: two roundings and the error of pi on the way to at most
+// pi/4 radians, and the function's last bit. Three of them, four products and a sum about axes are off by at most 20.
+// About one axis, whose coordinates are known to half an ulp, there are 12 more than the sine and cosine.
 double rotation_error(double degrees, double roundings) {
   return 0x1p-53 * (roundings + radians(std::fmin(std::fabs(degrees), 360)));
 }
@@ -69,7 +69,7 @@ double cos_degrees(double degrees) {
   if (angle > 180) angle = 360 - angle;
   const bool negative = angle > 90;
   if (negative) angle = 180 - angle;
-  // 90 - angle is exact from 45 upward only; below, the cosine is taken directly.
+  // 90 - angle is exact only from 45 upward. Below that the cosine is computed directly.
   double cosine = 0;
   if (angle >= 45) {
     cosine = sin_of_acute(90 - angle);

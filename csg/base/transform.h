@@ -7,12 +7,12 @@
 
 namespace csgcast {
 
-/// An affine map whose twelve entries are doubles, fixed once: p -> rows * (p, 1). Row-major, 3 x 4, the last column
-/// translates.
+/// An affine map p -> rows * (p, 1). Its twelve entries are doubles, fixed once. It is row-major, 3 x 4, and the last
+/// column translates.
 struct Transform {
   std::array<double, 12> entry{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-  /// How far an entry of the linear part may be off from what the arguments mean, beyond half an ulp of its own. It
-  /// changes nothing but what welding takes for rounding.
+  /// Bound on the difference between an entry of the linear part and what the arguments mean, beyond half an ulp of its
+  /// own. It only affects what welding treats as rounding.
   double linear_error = 0;
 
   double operator()(std::size_t row, std::size_t column) const { return entry[4 * row + column]; }
@@ -23,8 +23,8 @@ struct Transform {
 
 Transform translation(Vector offset);
 Transform scaling(Vector factors);
-/// OpenSCAD's rotate([x, y, z]): about x, then y, then z, in degrees; exact at multiples of 30 and 45 degrees where a
-/// double can be.
+/// OpenSCAD's rotate([x, y, z]): about x, then y, then z, in degrees. At multiples of 30 and 45 degrees it is exact
+/// where a double can be.
 Transform rotation(Vector degrees_about_axes);
 /// OpenSCAD's rotate(a, v): right-handed about `axis` (any non-zero length); the identity for a zero axis.
 Transform rotation(double degrees, Vector axis);

@@ -8,16 +8,16 @@
 
 namespace csgcast {
 
-/// Walks trees from their roots down and back up in file order, without recursion: trees may be a million deep. Keeps
-/// its memory. `State` is what is remembered of a node while its children are visited.
+/// Walks trees from their roots down and back up in file order. It does not recurse, because trees may be a million
+/// deep. It keeps its memory. `State` is the state of a node that is kept while its children are visited.
 template <class Node, class State>
 class TreeWalk {
  public:
   /// Visits the roots and returns `top`, the state that stands above them.
   ///
   /// `enter(node, above)` is called before a node's children, where `above` is the state of its parent. It returns the
-  /// node's own state, or nothing if the children are not to be visited. `children(node)` is then the span of those
-  /// that are. `leave(node, state, above)` is called after them with the state (State&&) that enter returned.
+  /// node's own state, or nothing if the children should not be visited. `children(node)` is then the span of its
+  /// children. `leave(node, state, above)` is called after them with the state (State&&) that enter returned.
   template <class Enter, class Children, class Leave>
   State run(std::span<Node> roots, State top, Enter&& enter, Children&& children, Leave&& leave) {
     open_.clear();

@@ -6,8 +6,8 @@
 
 namespace csgcast {
 
-/// False, true, or not known (Kleene's logic). In this order: the least of some values is true if all of them are, the
-/// greatest if one of them is.
+/// False, true, or not known (Kleene's logic). The values are in this order so that the least of several values is true
+/// if all of them are, and the greatest is true if one of them is.
 enum class Truth : std::uint8_t { no, unknown, yes };
 
 constexpr Truth truth(bool value) { return value ? Truth::yes : Truth::no; }

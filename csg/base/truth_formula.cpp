@@ -24,7 +24,7 @@ TruthFormula either(std::span<const TruthFormula> operands) { return joined(Trut
 TruthFormula both(std::span<const TruthFormula> operands) { return joined(TruthTerm::Op::intersect, operands); }
 
 bool is_well_formed(std::span<const TruthTerm> terms, std::size_t conditions) {
-  std::vector<std::size_t> ends;  // of the operators around a term
+  std::vector<std::size_t> ends;  // the ends of the operators around a term
   std::size_t end = terms.size();
   for (std::size_t i = 0; i < terms.size(); ++i) {
     while (!ends.empty() && ends.back() == i) ends.pop_back();
@@ -38,7 +38,7 @@ bool is_well_formed(std::span<const TruthTerm> terms, std::size_t conditions) {
   return !terms.empty();
 }
 
-// Operands come after their operators, so from the back they are known first.
+// Operands come after their operators, so their values are known first when going backwards.
 void evaluate(std::span<const TruthTerm> terms, std::span<const Truth> conditions, std::span<Truth> values) {
   CSGCAST_PRECONDITION(is_well_formed(terms, conditions.size()));
   CSGCAST_PRECONDITION(values.size() == terms.size());

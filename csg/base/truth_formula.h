@@ -10,32 +10,32 @@
 
 namespace csgcast {
 
-/// One entry of a truth formula: a condition or its contrary, or an operator, which its operands follow.
+/// One entry of a truth formula: a condition, its negation, or an operator followed by its operands.
 struct TruthTerm {
   enum class Op : std::uint8_t { unite, intersect, condition };
 
   Op op = Op::condition;
-  bool is_contrary = false;     ///< a condition must not hold
+  bool is_contrary = false;     ///< true: the condition must not hold
   std::uint32_t size = 1;       ///< the number of entries of the term: itself and its operands
   std::uint32_t condition = 0;  ///< the number of a condition
 };
 
-/// A truth function of numbered conditions: one term, in prefix order. Negations stand at the conditions only. A union
-/// of nothing is false, an intersection of nothing true.
+/// A truth function of numbered conditions. It is one term, in prefix order. Only conditions are negated. An empty
+/// union is false, an empty intersection true.
 using TruthFormula = std::vector<TruthTerm>;
 
-/// The condition of that number, or its contrary.
+/// The condition with that number, or its negation.
 TruthFormula condition(std::uint32_t number, bool holds = true);
-/// True where one of the operands is.
+/// True where at least one of the operands is.
 TruthFormula either(std::span<const TruthFormula> operands);
 /// True where all of the operands are.
 TruthFormula both(std::span<const TruthFormula> operands);
 
-/// Whether the terms are one term with all its operands, over that many conditions.
+/// True if the terms are one term with all its operands, over that many conditions.
 bool is_well_formed(std::span<const TruthTerm> terms, std::size_t conditions);
 
-/// Writes the value of each term to its place, given that of each condition by its number. Preconditions: the terms are
-/// well-formed, and there are as many values.
+/// Writes the value of each term to its place, given the value of each condition by number. Preconditions: the terms
+/// are well-formed, and there is one value for each term.
 void evaluate(std::span<const TruthTerm> terms, std::span<const Truth> conditions, std::span<Truth> values);
 
 }  // namespace csgcast

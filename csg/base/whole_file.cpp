@@ -19,12 +19,12 @@
 
 namespace csgcast {
 
-/// The name of an unfinished file, where a signal handler finds it: in a list that only grows. A place is used again,
-/// and its name changes only while it is not armed.
+/// The name of an unfinished file, in a list that only grows, where a signal handler finds it. A place is used again.
+/// Its name changes only while it is not armed.
 struct WholeFile::Unfinished {
   std::array<char, 4096> name{};
   std::atomic<bool> is_taken = true;
-  std::atomic<bool> is_armed = false;  // the file may be there
+  std::atomic<bool> is_armed = false;  // true if the file may exist
   Unfinished* next = nullptr;
 
   static std::atomic<Unfinished*> first;
@@ -59,7 +59,7 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<void*>::is_a
 
 namespace {
 
-/// The machine is at its end, rather than the path one that makes no sense.
+/// True for failures of the machine, as opposed to a path that makes no sense.
 bool is_machine_failure(int error) {
   constexpr std::array failures{ENOSPC, EDQUOT, EFBIG, EIO, ENOMEM, EMFILE, ENFILE};
   return std::find(failures.begin(), failures.end(), error) != failures.end();
@@ -99,20 +99,20 @@ WholeFile::WholeFile(const std::string& path) : path_(path), target_(link_target
   cannot_open(path_, error);
 }
 
-/// Makes a new file in the target's folder, with the permissions of an older one. No file and errno if there can be
-/// none.
+/// Creates a new file in the target's folder, with the permissions of an older one. If that fails, there is no file,
+/// and errno is set.
 void WholeFile::open_beside(std::optional<unsigned> permissions) {
   const std::string folder = std::filesystem::path(target_).parent_path().string();
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const std::string name = fmt::format("{}/.csgcast-{}-{}", folder.empty() ? "." : folder, ::getpid(), attempt);
-    // Another file of this process may have the name; the handler may remove that one twice.
+    // Another file of this process may have the name, and the handler may remove that file twice.
     if (!unfinished_->arm(name)) {
       errno = ENAMETOOLONG;
       return;
     }
     file_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions.value_or(0666));
     if (file_ < 0 && errno == EEXIST) continue;
-    // Keeping the permissions is a courtesy: a file system that has none is no reason to stop.
+    // Keeping the permissions is a courtesy. A file system without permissions is no reason to stop.
     if (file_ >= 0 && permissions) static_cast<void>(::fchmod(file_, *permissions));
     return;
   }

@@ -9,13 +9,13 @@
 
 namespace csgcast {
 
-/// A file that is being written and appears whole or not at all.
+/// A file that is being written. It appears whole or not at all.
 ///
-/// It is written beside its target under another name, `.csgcast-..`, which commit() changes to the target's. Until
-/// then, and if it never comes to that, an older file stays as it was; nothing else is left behind, not after an
+/// It is written beside its target under another name, `.csgcast-..`. commit() changes that name to the target's. Until
+/// then, and if commit() is never called, an older file stays as it was. Nothing else is left behind, not after an
 /// exception, and not after a signal whose handler calls remove_unfinished_files(). An older file's permissions are
-/// kept. Links are followed, also to a file that does not exist yet. What is no regular file (a device, a pipe) is
-/// written to directly.
+/// kept. Links are followed, also to a file that does not exist yet. A target that is not a regular file (a device, a
+/// pipe) is written to directly.
 ///
 /// For one thread at a time.
 class WholeFile {
@@ -27,16 +27,16 @@ class WholeFile {
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
-  /// As it was given.
+  /// The path as it was given.
   const std::string& path() const { return path_; }
 
   /// Throws Error(machine) if the data cannot be written.
   void write(std::string_view data);
   void write(std::span<const std::byte> data);
-  /// Ends the file and gives it its name. Nothing may be written after it. Throws Error(machine).
+  /// Finishes the file and gives it its name. Nothing may be written after it. Throws Error(machine).
   void commit();
 
-  /// The last write failed because the path is a pipe that nobody reads any more.
+  /// True if the last write failed because the path is a pipe that nobody reads any more.
   bool has_lost_reader() const { return has_lost_reader_; }
 
  private:
@@ -53,8 +53,8 @@ class WholeFile {
   bool has_lost_reader_ = false;
 };
 
-/// Removes what any WholeFile of the process has written and not committed. Safe in a signal handler, for a program
-/// that is about to end: the library handles no signals itself.
+/// Removes the files that any WholeFile of the process has written and not committed. It is safe in the signal handler
+/// of a program that is about to end. The library itself handles no signals.
 void remove_unfinished_files() noexcept;
 
 }  // namespace csgcast

@@ -27,10 +27,10 @@ class ExactAffine {
   /// Entry (row, column) of the adjugate of the linear part: inverse times determinant.
   Dyadic adjugate(std::size_t row, std::size_t column) const;
   ExactPoint operator()(const ExactPoint& p) const;
-  /// The largest number of bits of an entry, what an exact composition costs.
+  /// The largest number of bits of an entry. It tells the cost of an exact composition.
   std::size_t bits() const;
 
-  /// First `inner`, then `outer`.
+  /// The product: first `inner`, then `outer`.
   friend ExactAffine operator*(const ExactAffine& outer, const ExactAffine& inner);
   friend bool operator==(const ExactAffine&, const ExactAffine&) = default;
 

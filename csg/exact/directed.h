@@ -3,12 +3,12 @@
 
 #include "csg/exact/dyadic.h"
 
-// Division and square root of exact numbers, rounded in a stated direction with a relative error below 2^-128; exact
-// where the result is a dyadic number of at most 128 bits.
+// Division and square root of exact numbers, rounded in a given direction with a relative error below 2^-128. The
+// result is exact if it is a dyadic number of at most 128 bits.
 
 namespace csgcast::detail {
 
-enum class Toward { down, up };  ///< minus or plus infinity
+enum class Toward { down, up };  ///< towards minus or plus infinity
 
 /// Precondition: divisor is not zero.
 Dyadic quotient(const Dyadic& dividend, const Dyadic& divisor, Toward toward);

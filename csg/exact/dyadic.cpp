@@ -14,11 +14,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// |m| 2^e rounded toward zero to a double, and whether anything was cut off.
+// |m| 2^e rounded toward zero to a double, and what was cut off.
 struct Truncated {
   double magnitude;
   bool exact;
-  bool at_least_half;  // what was cut off is at least half a unit in the last place
+  bool at_least_half;  // true if at least half a unit in the last place was cut off
   bool exactly_half;
 };
 
@@ -39,8 +39,8 @@ std::int64_t last_place(std::int64_t bits, std::int64_t exponent) {
   return std::max<std::int64_t>(bits + exponent - 53, -1074);
 }
 
-// A mantissa of 128 bits or more: always more than a double has, and since it is odd something is cut off that is not
-// half a unit.
+// Truncates a mantissa of 128 bits or more. It is always longer than a double's, and since it is odd, something is cut
+// off, and never exactly half a unit.
 Truncated truncate(const mpz_class& mantissa, std::int64_t exponent) {
   constexpr std::int64_t limb_bits = 64;
   const mpz_srcptr m = mantissa.get_mpz_t();
@@ -175,7 +175,7 @@ Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b) {
   const Dyadic& high = a_is_high ? a : b;
   const Dyadic& low = a_is_high ? b : a;
   const std::int64_t shift = high.exponent_ - low.exponent_;
-  // Both summands below 2^126 in units of the lower exponent: so is their sum below 2^127.
+  // Both summands are below 2^126 in units of the lower exponent, so their sum is below 2^127.
   if (!high.large_ && !low.large_ && shift + static_cast<std::int64_t>(high.bits()) <= 126 && low.bits() <= 126) {
     const Small aligned = static_cast<Small>(static_cast<Bits>(high.small_) << shift);
     const Small of_a = a_is_high ? aligned : low.small_;
@@ -232,7 +232,7 @@ Dyadic common_divisor(const Dyadic& a, const Dyadic& b) {
   Dyadic::Bits x = Dyadic::absolute(a.small_);
   Dyadic::Bits y = Dyadic::absolute(b.small_);
   if (x == 0) std::swap(x, y);
-  // Both odd: so is the divisor, and no difference of theirs is. Source: Stein 1967.
+  // Both are odd, so the divisor is odd, and their difference is even. Source: Stein 1967.
   while (y != 0 && x != 1) {
     y >>= Dyadic::trailing_zeros(y);
     if (x > y) std::swap(x, y);

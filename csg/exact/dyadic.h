@@ -13,10 +13,10 @@
 
 namespace csgcast {
 
-/// An exact number m * 2^e with integers m and e: what sums and products of doubles are.
+/// An exact number m * 2^e with integers m and e. Sums and products of doubles are such numbers.
 ///
-/// Kept normalised: m is odd, or zero with e = 0. Mantissas below 2^127 are kept in the object itself, so the first few
-/// sums and products of doubles cost no memory; larger ones are GMP's.
+/// It is kept normalised: m is odd, or zero with e = 0. Mantissas below 2^127 are stored in the object itself, so the
+/// first few sums and products of doubles allocate nothing. Larger mantissas are GMP's.
 class Dyadic {
  public:
   Dyadic() = default;
@@ -72,20 +72,21 @@ class Dyadic {
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
     return a.is_zero() || b.is_zero() ? Dyadic() : product(a, b);
   }
-  /// Appends the number's packed form: equal numbers have equal bytes. unpack() is its inverse and moves on to
-  /// what follows.
+  /// Appends the number's packed form. Equal numbers have equal bytes. unpack() is the inverse; it also advances to the
+  /// bytes after the number.
   void pack(std::vector<std::byte>& bytes) const;
   static Dyadic unpack(const std::byte*& bytes);
 
   friend bool operator==(const Dyadic& a, const Dyadic& b);
   friend std::strong_ordering operator<=>(const Dyadic& a, const Dyadic& b);
 
-  /// The greatest common divisor of the mantissas, an odd positive integer; the other's for zero.
+  /// The greatest common divisor of the mantissas, an odd positive integer. If one number is zero, the other's
+  /// mantissa.
   friend Dyadic common_divisor(const Dyadic& a, const Dyadic& b);
   /// a / b. Precondition: b's mantissa divides a's.
   friend Dyadic exact_quotient(const Dyadic& a, const Dyadic& b);
 
-  /// The nearest double to value * 2^shift, ties to even; overflows to infinity, gradual underflow.
+  /// The nearest double to value * 2^shift, ties to even. It overflows to infinity, and underflows gradually.
   double nearest(std::int64_t shift = 0) const;
   /// The largest double <= value (-infinity possible).
   double rounded_down() const;
@@ -101,7 +102,7 @@ class Dyadic {
 
   Dyadic(Small mantissa, std::int64_t exponent, std::nullptr_t);
   Dyadic(std::unique_ptr<mpz_class> mantissa, std::int64_t exponent);
-  // Preconditions: neither is zero.
+  // Precondition: neither number is zero.
   static Dyadic sum(const Dyadic& a, const Dyadic& b, Sign sign_of_b);
   static Dyadic product(const Dyadic& a, const Dyadic& b);
   static Bits absolute(Small value) { return value < 0 ? -static_cast<Bits>(value) : static_cast<Bits>(value); }

@@ -5,9 +5,9 @@
 
 #include "csg/exact/dyadic.h"
 
-// A number packed: twice the count of its mantissa's bytes, plus one if it is negative; the exponent with its sign in
-// the lowest bit; the mantissa's bytes, the lowest first. The first two take seven bits a byte, the lowest first, and
-// the highest bit tells that more follow. Zero is one byte.
+// A packed number has three parts: twice the number of bytes of its mantissa, plus one if it is negative; the exponent
+// with its sign in the lowest bit; and the mantissa's bytes, the lowest first. The first two parts have seven bits in
+// each byte, the lowest first, and the highest bit says that more bytes follow. Zero is a single byte.
 
 namespace csgcast {
 namespace {
@@ -63,7 +63,7 @@ Dyadic Dyadic::unpack(const std::byte*& bytes) {
   } else {
     result.large_ = std::make_unique<mpz_class>();
     mpz_import(result.large_->get_mpz_t(), count, -1, 1, 0, 0, bytes);
-    result.normalise();  // 128 bits less one are kept in the object
+    result.normalise();  // the object holds mantissas below 128 bits itself
   }
   bytes += count;
   return head % 2 != 0 ? -result : result;

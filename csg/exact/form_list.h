@@ -10,7 +10,7 @@
 
 namespace csgcast {
 
-/// Forms in order, kept packed and handed out by value.
+/// An ordered list of forms. They are stored packed and returned by value.
 class FormList {
  public:
   class Iterator {

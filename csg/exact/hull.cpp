@@ -10,7 +10,7 @@
 namespace csgcast {
 namespace {
 
-// Fisher and Yates by hand: the standard library's shuffle may differ from one system to the next.
+// This is the shuffle of Fisher and Yates. The standard library's may differ between systems.
 std::vector<std::uint32_t> shuffled_indices(std::size_t count) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0u);

@@ -18,7 +18,8 @@ using HullTriangle = std::array<std::uint32_t, 3>;
 /// finite doubles.
 int orientation(Point a, Point b, Point c, Point d);
 
-/// The exact hull; empty if all points lie in one plane. Expected O(n log n). Repeated points are fine. Deterministic.
+/// The exact hull. It is empty if all points lie in one plane. The expected time is O(n log n). Repeated points are
+/// allowed. The result is deterministic.
 std::vector<HullTriangle> convex_hull(std::span<const Point> points);
 
 }  // namespace csgcast

@@ -18,7 +18,7 @@ mpq_class dot(const Place<dimension>& a, const Place<dimension>& b) {
   return sum;
 }
 
-// The axis of a non-zero component; all are as good when nothing is rounded. `dimension` if there is none.
+// The axis of a non-zero component, or `dimension` if there is none. Any such axis will do, because nothing is rounded.
 template <std::size_t dimension>
 std::size_t pivot_axis(const Place<dimension>& normal) {
   for (std::size_t i = 0; i < dimension; ++i) {
@@ -66,7 +66,7 @@ std::optional<Place<dimension>> solve_on_plane(const std::vector<Constraint<dime
                                                const mpq_class& reach) {
   const Constraint<dimension>& plane = constraints[active];
   const std::size_t axis = pivot_axis<dimension>(plane.normal);
-  if (axis == dimension) return std::nullopt;  // 0 <= a negative limit
+  if (axis == dimension) return std::nullopt;  // the condition is: 0 <= a negative limit
   // On the plane, x[axis] = offset - scaled . x, the sum over the other axes.
   Place<dimension> scaled = plane.normal;
   for (mpq_class& component : scaled) component /= plane.normal[axis];

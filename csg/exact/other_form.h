@@ -18,16 +18,16 @@ class OtherForm {
   /// singular.
   virtual std::shared_ptr<const OtherForm> moved(const ExactAffine& world_from_solid) const = 0;
 
-  /// One form for all multiples of f.
+  /// The form that represents all multiples of f.
   struct Canonical {
     std::shared_ptr<const OtherForm> form;
     bool flipped = false;  ///< true if the factor was negative: f <= 0 is where the canonical form is >= 0
   };
   virtual Canonical canonical() const = 0;
 
-  /// Whether two canonical forms are equal; forms of different classes are not.
+  /// True if two canonical forms are equal. Forms of different classes are not equal.
   virtual bool equals(const OtherForm& other) const = 0;
-  /// Equal for equal forms.
+  /// The hash is equal for equal forms.
   virtual std::uint64_t hash() const = 0;
 };
 

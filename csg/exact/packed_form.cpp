@@ -47,7 +47,7 @@ QuadricForm PackedForm::unpacked() const {
   return form;
 }
 
-// FNV-1a with a word a step, and a last mix.
+// The hash is FNV-1a with one word in each step, and a final mix.
 std::uint64_t PackedForm::hash() const {
   const std::span<const std::byte> bytes = content();
   std::uint64_t h = 0xcbf29ce484222325u ^ bytes.size();

@@ -10,11 +10,11 @@ namespace csgcast {
 
 struct QuadricForm;
 
-/// A form in as few bytes as its numbers take, for keeping: a ball's takes 60, where a QuadricForm takes 320. Equal
-/// forms have equal bytes.
+/// A form for storage, in as few bytes as its numbers take. A ball's form takes 60 bytes, where a QuadricForm takes
+/// 320. Equal forms have equal bytes.
 class PackedForm {
  public:
-  PackedForm() = default;  ///< no form; only to be assigned to
+  PackedForm() = default;  ///< no form; it can only be assigned to
   explicit PackedForm(const QuadricForm& form);
   PackedForm(const PackedForm& other);
   PackedForm(PackedForm&& other) noexcept : bytes_(std::exchange(other.bytes_, nullptr)) {}
@@ -33,7 +33,8 @@ class PackedForm {
   explicit PackedForm(std::span<const std::byte> content);
   std::span<const std::byte> content() const;
 
-  // Owned: how many follow (a std::uint32_t), then the coefficients, packed, in order. Null: no form.
+  // Owned memory: the number of bytes (a std::uint32_t), then the packed coefficients in order. Null if there is no
+  // form.
   std::byte* bytes_ = nullptr;
 };
 

@@ -106,7 +106,8 @@ QuadricForm FormMover::moved(const QuadricForm& f) const {
 CanonicalForm canonical(QuadricForm f) {
   CSGCAST_PRECONDITION(!f.is_constant());
   static const Dyadic one(1.0);
-  // Mantissas are odd: their greatest common divisor and the least exponent are that of the coefficients.
+  // Mantissas are odd, so the coefficients' greatest common divisor comes from that of the mantissas and the least
+  // exponent.
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   Dyadic divisor;
   for (const Dyadic& c : f.coefficient) {

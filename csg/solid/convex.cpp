@@ -23,8 +23,8 @@ QuadricForm plane_through(Point a, Point b, Point c) {
   return QuadricForm::plane(n[0], n[1], n[2], -(n[0] * Dyadic(a.x) + n[1] * Dyadic(a.y) + n[2] * Dyadic(a.z)));
 }
 
-// How far the plane moves, about `center`, if each coordinate of its points is known to half an ulp. In plain double:
-// an error's own error does not matter.
+// The distance that the plane moves, about `center`, if each coordinate of its points is known to half an ulp. Plain
+// double is enough, because an error's own error does not matter.
 FormError plane_error(Point a, Point b, Point c, Point center) {
   const Vector v = b - a, w = c - a;
   const auto magnitudes = [](auto p) { return Vector{std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}; };

@@ -21,7 +21,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The least or largest value of one row of an affine map over all points. Doubles with a bound on their error choose
-// the candidates, exact arithmetic decides among them.
+// the candidates, and exact arithmetic decides among them.
 class RowExtent {
  public:
   RowExtent(const ExactAffine& m, std::size_t row) : m_(m), row_(row) {
@@ -39,7 +39,7 @@ class RowExtent {
   };
 
   // Each of the four terms goes through at most six roundings of half an ulp: of its coefficient, product and sums. The
-  // last summand covers what underflow takes from coefficients and products.
+  // last summand covers what is lost when coefficients and products underflow.
   Estimate estimate(Point p) const {
     const double tx = linear_[0] * p.x, ty = linear_[1] * p.y, tz = linear_[2] * p.z;
     const double size = std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(offset_);
@@ -56,7 +56,7 @@ class RowExtent {
   }
 
   Dyadic extreme(std::span<const Point> points, double sense) const {
-    double surely = infinity;  // no more than this is certain
+    double surely = infinity;  // an upper bound that is certain
     for (const Point& p : points) {
       const Estimate e = estimate(p);
       surely = std::fmin(surely, sense * e.value + e.error);
@@ -64,7 +64,7 @@ class RowExtent {
     std::optional<Dyadic> best;
     for (const Point& p : points) {
       const Estimate e = estimate(p);
-      if (sense * e.value - e.error > surely) continue;  // not so for NaN, from overflow
+      if (sense * e.value - e.error > surely) continue;  // false for NaN, which overflow causes
       Dyadic value = exact(p);
       if (!best || (sense > 0 ? value < *best : value > *best)) best = std::move(value);
     }
@@ -92,7 +92,7 @@ void set_row(Box& box, std::size_t row, const Dyadic& center, const Dyadic& reac
   box.upper[row] = (center + reach).rounded_up();
 }
 
-// The length of a vector, rounded up; that along an axis needs no root.
+// The length of a vector, rounded up. The length along an axis needs no root.
 Dyadic length(std::span<const Dyadic> vector) {
   const Dyadic* only = nullptr;
   std::size_t terms = 0;
@@ -144,7 +144,7 @@ Box image(const Box& box, const ExactAffine& world_from_solid) {
     bool bounded_below = true, bounded_above = true;
     for (std::size_t i = 0; i < 3; ++i) {
       const Dyadic& factor = world_from_solid.linear(row, i);
-      if (factor.is_zero()) continue;  // also of an infinite side
+      if (factor.is_zero()) continue;  // then even an infinite side does not matter
       const double low = factor.sign() > 0 ? box.lower[i] : box.upper[i];
       const double high = factor.sign() > 0 ? box.upper[i] : box.lower[i];
       bounded_below = bounded_below && std::isfinite(low);

@@ -21,30 +21,31 @@ struct Disc {
   double radius = 0;
 };
 
-/// How far a form's coefficients may be off, in the order of QuadricForm::Term.
+/// Bounds on the errors of a form's coefficients, in the order of QuadricForm::Term.
 using FormError = std::array<double, QuadricForm::term_count>;
 
-/// How far a leaf's forms may be off from what was meant, if each number it was made from is known to half an ulp.
-/// Nothing is decided by it but what welding takes for rounding.
+/// The difference between a leaf's forms and what was meant, if each number that the leaf was made from is known to
+/// half an ulp. It only decides what welding treats as rounding.
 struct ShapeError {
-  bool scales_with_axes = true;  ///< each axis scaled by 1 ± 2^-53: what sizes known to half an ulp come to
-  /// More than that, of each form about `center`: |off(q)| <= sum of errors[i] |term_i(q - center)|; or empty: nothing.
+  bool scales_with_axes = true;  ///< each axis is scaled by 1 ± 2^-53, as by sizes known to half an ulp
+  /// Additional errors of each form about `center`: |off(q)| <= sum of errors[i] |term_i(q - center)|. Empty if there
+  /// are none.
   std::vector<FormError> errors;
   Point center;
 };
 
-/// What a leaf is in its own coordinates: the closed set of points where every form is <= 0, or, with `inside`, the
-/// closure of the open set that it tells.
+/// A leaf in its own coordinates. It is the closed set of points where every form is <= 0 or, if `inside` is set, the
+/// closure of the open set that `inside` defines.
 struct LeafShape {
   LeafKind kind = LeafKind::convex;
 
   std::size_t form_count() const { return forms.size() + others.size(); }
 
-  FormList forms;  ///< none of them constant
-  /// The forms that are no plane's and no quadric's; at least one form is here or there.
+  FormList forms;  ///< none of the forms is constant
+  /// The forms that are neither planes nor quadrics. There is at least one form here or in `forms`.
   std::vector<std::shared_ptr<const OtherForm>> others;
-  /// Tells the inside by which forms are <= 0: condition k is that of forms[k], or of those in `others` after them.
-  /// Null: all of them are.
+  /// Defines the inside by which forms are <= 0. Condition k is that of forms[k], or of the forms in `others` after
+  /// them. Null if all forms must be.
   std::shared_ptr<const TruthFormula> inside;
   Box bounds;  ///< holds the set, rounded outward
   bool is_convex_polyhedron = false;

@@ -21,7 +21,7 @@ constexpr Rgb operator*(double s, Rgb a) { return {s * a.r, s * a.g, s * a.b}; }
 double linear_from_srgb(double encoded);
 double srgb_from_linear(double linear);
 
-/// How a surface answers to light; the model is in shade/light/phong.h. OpenSCAD's yellow unless said otherwise.
+/// The answer of a surface to light. The model is in shade/light/phong.h. The default colour is OpenSCAD's yellow.
 struct Material {
   Rgb color{0.947306542, 0.679542454, 0.025186860};  ///< #f9d72c
   double ambient = 0.15;
@@ -31,8 +31,8 @@ struct Material {
   double reflection = 0;
   double transmission = 0;
   double ior = 1;  ///< index of refraction
-  Rgb emission;    ///< light that it sends out by itself
-  Rgb absorption;  ///< per unit of length, of a medium that transmits
+  Rgb emission;    ///< light that the surface itself sends out
+  Rgb absorption;  ///< per unit of length, for a medium that transmits
   friend bool operator==(const Material&, const Material&) = default;
 
   bool transmits() const { return transmission > 0; }

@@ -10,7 +10,7 @@
 namespace csgcast {
 namespace {
 
-/// The index of the first equal point for each point. Sorted by coordinates, equal ones are neighbours.
+/// For each point, the index of the first equal point. After sorting by coordinates, equal points are neighbours.
 std::vector<std::uint32_t> first_equals(const std::vector<Point>& points) {
   std::vector<std::uint32_t> order(points.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;

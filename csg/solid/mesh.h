@@ -10,8 +10,8 @@
 
 namespace csgcast {
 
-/// A polygon mesh: faces are loops of indices into the points, all turning the same way seen from outside (which way
-/// does not matter).
+/// A polygon mesh. Faces are loops of indices into the points. All faces must turn the same way as seen from outside,
+/// but it does not matter which way.
 struct Mesh {
   using Face = std::vector<std::uint32_t>;
 
@@ -19,8 +19,8 @@ struct Mesh {
   std::vector<Face> faces;
 };
 
-/// The mesh with equal points made one, repeated neighbours in a face left out, faces with fewer than three corners
-/// dropped, and only the points that faces use. Precondition: indices in range.
+/// The mesh with equal points merged. Repeated neighbours in a face are left out, faces with fewer than three corners
+/// are dropped, and only points that faces use are kept. Precondition: indices are in range.
 Mesh welded(const Mesh& mesh);
 
 /// Two points that an edge joins.
@@ -29,14 +29,15 @@ struct MeshEdge {
   Point to;
 };
 
-/// An edge that faces do not run along equally often in both directions, so that the mesh bounds no solid; nothing if
-/// the mesh is closed.
+/// Finds an edge along which faces do not run equally often in both directions. With such an edge the mesh bounds no
+/// solid. Returns nothing if the mesh is closed.
 std::optional<MeshEdge> open_edge(const Mesh& welded);
 
-/// Whether a closed mesh is convex, or so nearly that OpenSCAD takes its hull instead: connected, each edge between two
-/// faces, no edge bent inward and no face bent out of its plane by more than 0.1 degree, and the volume that of the
-/// hull but for what these angles explain. A flat mesh is convex. Computed in doubles: it accepts, it does not define
-/// the solid. Source: OpenSCAD 2021.01, is_approximately_convex.
+/// True if a closed mesh is convex, or so nearly convex that OpenSCAD uses its hull instead. Such a mesh is connected,
+/// and each edge is between two faces. No edge is bent inward and no face is bent out of its plane by more than 0.1
+/// degree, and the volume is that of the hull, up to what these angles explain. A flat mesh is convex. The test is
+/// computed in doubles: it accepts a mesh, it does not define the solid. Source: OpenSCAD 2021.01,
+/// is_approximately_convex.
 bool is_convex(const Mesh& welded);
 
 }  // namespace csgcast

@@ -14,10 +14,10 @@ namespace {
 
 using Kind = Solid::Kind;
 
-// Whether parts below such a node are parts of the whole.
+// True if parts below such a node are parts of the whole.
 bool hands_on_parts(Kind kind) { return kind == Kind::unite || kind == Kind::transform || kind == Kind::look; }
 
-// What is left of each node, from the leaves up; a shared node is walked once.
+// Finds what is left of each node, from the leaves up. A shared node is walked once.
 class Selection {
  public:
   explicit Selection(std::span<const std::string> names) : names_(names.begin(), names.end()) {}

@@ -117,7 +117,7 @@ Solid cylinder(double height, double bottom_radius, double top_radius, Centering
   LeafShape shape;
   shape.kind = LeafKind::cylinder;
   if (bottom_radius == top_radius) {
-    // Free of z and of the height, so that cylinders that differ in these only share the surface.
+    // The form does not depend on z or on the height, so cylinders that differ only in these share the surface.
     shape.forms.push_back(axial_form(1.0, 1.0, {}, {}, -square(bottom_radius)));
   } else {
     // The radius at z is (base + slope z) / height.

@@ -12,38 +12,38 @@ namespace csgcast {
 enum class Centering { corner, centered };
 
 // Sizes that leave no interior (zero or negative, as the scene text allows them) give the empty solid. All numbers must
-// be finite: anything else throws Error(bad_value) without a place.
+// be finite; otherwise Error(bad_value) without a place is thrown.
 
-/// [0, size] on each axis, or [-size/2, size/2].
+/// The box [0, size] on each axis, or [-size/2, size/2].
 Solid box(Vector size, Centering centering = Centering::corner);
 /// A ball about the origin.
 Solid sphere(double radius);
-/// z in [0, height] or [-height/2, height/2], the radius going linearly from bottom to top; one of the radii may be 0
-/// (a cone).
+/// z is in [0, height] or [-height/2, height/2]. The radius changes linearly from bottom to top. One of the radii may
+/// be 0 (a cone).
 Solid cylinder(double height, double bottom_radius, double top_radius, Centering centering = Centering::corner);
-/// Semi-axes along x, y and z, about the origin.
+/// An ellipsoid about the origin, with semi-axes along x, y and z.
 Solid ellipsoid(Vector semi_axes);
-/// height (x² + y²) / radius² <= z <= height.
+/// The set height (x² + y²) / radius² <= z <= height.
 Solid paraboloid(double height, double radius);
 /// |z| <= height/2 inside the surface of revolution with radius `waist` at z = 0 and `radius` at z = ±height/2.
 /// waist = 0 is a double cone, waist = radius a cylinder, waist > radius a barrel; not both zero.
 Solid hyperboloid(double height, double radius, double waist);
 
-/// pᵀAp + bᵀp + c <= 0; `a` holds xx, yy, zz, xy, xz, yz of the symmetric matrix (xy being the one entry, which counts
-/// twice). Any of the 17 kinds: the result may be unbounded, empty, everything, or without interior (then it is empty
-/// as a regular set).
+/// The set pᵀAp + bᵀp + c <= 0. `a` holds xx, yy, zz, xy, xz, yz of the symmetric matrix; xy is the single entry, which
+/// counts twice. Any of the 17 kinds is allowed. The result may be unbounded, empty, everything, or without interior
+/// (then it is empty as a regular set).
 Solid quadric(const std::array<double, 6>& a, Vector b, double c);
-/// n . p <= d. Throws Error(bad_value) if n = 0.
+/// The set n . p <= d. Throws Error(bad_value) if n = 0.
 Solid halfspace(Vector normal, double distance);
 
 struct PlaneEquation {
   Vector normal;
   double distance = 0;
 };
-/// The points with n . p <= d for every plane: maybe unbounded, maybe empty.
+/// The points with n . p <= d for every plane. The set may be unbounded or empty.
 Solid convex_from_planes(std::span<const PlaneEquation> planes);
-/// The exact convex hull of the points: every orientation is decided exactly, nothing is joggled or merged. Points that
-/// all lie in one plane give the empty solid. Source: Clarkson and Shor 1989 (randomised incremental), see
+/// The exact convex hull of the points. Every orientation is decided exactly; nothing is perturbed or merged. Points
+/// that all lie in one plane give the empty solid. Source: Clarkson and Shor 1989 (randomised incremental), see
 /// csg/exact/hull.h.
 Solid convex_from_points(std::span<const Point> points);
 

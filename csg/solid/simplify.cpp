@@ -17,8 +17,8 @@ namespace {
 using Kind = Solid::Kind;
 using detail::GrowingSolid;
 
-// How often each node occurs as a child: a shared node is simplified once, and never spliced into its parents, which
-// would undo the sharing.
+// Counts how often each node occurs as a child. A shared node is simplified once. It is never spliced into its parents,
+// because that would undo the sharing.
 std::unordered_map<const void*, std::uint32_t> count_parents(const Solid& root) {
   std::unordered_map<const void*, std::uint32_t> parents;
   std::vector<const Solid*> open{&root};
@@ -52,7 +52,7 @@ class Simplifier {
   struct Level {
     const Solid* boolean = nullptr;  // the node, if it is a Boolean operator
     std::size_t children = 0;        // of it, so far
-    GrowingSolid value{};            // of a Boolean operator: grows child by child; of another node: the child
+    GrowingSolid value{};            // for a Boolean operator it grows child by child; for another node it is the child
 
     void add(GrowingSolid child) {
       if (boolean != nullptr) {

@@ -5,9 +5,9 @@
 
 namespace csgcast {
 
-/// The same point set, the same parts, looks and leaves in the same order, from fewer nodes: nested unions and
-/// intersections flattened, empty and full children absorbed, double complements, identity transforms and operators of
-/// one child removed.
+/// An equal solid made of fewer nodes: the same point set, and the same parts, looks and leaves in the same order.
+/// Nested unions and intersections are flattened, empty and full children absorbed, and double complements, identity
+/// transforms and operators of one child removed.
 Solid simplified(const Solid& solid);
 
 }  // namespace csgcast

@@ -9,10 +9,10 @@
 namespace csgcast::detail {
 namespace {
 
-// Of sums of positive numbers.
+// A factor that covers the rounding of sums of positive numbers.
 constexpr double rounding_up = 1 + 0x1p-20;
-// Of what is turned and scaled, relative to the sum of the magnitudes of its terms; coordinates are within 4 and mostly
-// 1 of the frame's center.
+// The rounding of turning and scaling, relative to the sum of the magnitudes of the terms. Coordinates are within 4,
+// and mostly within 1, of the frame's center.
 constexpr double rounding = 0x1p-46;
 
 }  // namespace
@@ -28,7 +28,7 @@ Body& Body::operator+=(const Body& other) {
 Body body_of(const Space& space, const Totals& totals, double density) {
   const auto axes = space.axes();
   const Moments& m = totals.moments;
-  // Sums of terms of either sign round by what their magnitudes come to.
+  // Sums of terms of either sign round in proportion to the sum of the magnitudes of the terms.
   const double reach = std::fmax(longest(space.box().lower), longest(space.box().upper));
   const double rounded = rounding * m.volume * std::fmax(reach, reach * reach);
   Body body;
@@ -65,7 +65,7 @@ void tell_inertia(const Frame& frame, const Body& body, Measures& measures) {
   const double volume_scale = std::ldexp(1.0, 3 * frame.exponent);
   const double mass = m.volume;
   measures.mass = scaled(volume_scale, mass, body.mass_error);
-  if (!(mass > body.mass_error)) {  // where it is, if anywhere, is not known
+  if (!(mass > body.mass_error)) {  // then it is not known where the body is, if there is one
     if (body.mass_error > 0) measures.centroid_error = measures.inertia_error = HUGE_VAL;
     return;
   }

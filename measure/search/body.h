@@ -9,7 +9,7 @@
 
 namespace csgcast::detail {
 
-/// The integrals of density over a body, in the frame's coordinates, and what they are off at most.
+/// The integrals of density over a body, in the frame's coordinates, with bounds on their errors.
 struct Body {
   Moments moments;
   double mass_error = 0;

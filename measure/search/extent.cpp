@@ -20,19 +20,19 @@ namespace csgcast::detail {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// In units of the space: nobody asks for more; and a solid may have a face that is bent next to nothing.
+// In units of the space. Nobody needs a smaller error, and a face of a solid may be nearly flat.
 constexpr double good_enough = 0x1p-34;
 constexpr std::size_t most_cuts = 20000;
-constexpr double least_half = 0x1p-44;  // coordinates round by as much
-// Coordinates and their sums in space are below 8 and round by less.
+constexpr double least_half = 0x1p-44;  // coordinates round by this much
+// Coordinates in space and their sums are below 8, and round by less than this.
 constexpr double rounding = 0x1p-46;
 
-/// How far a solid reaches along one direction, best first.
+/// Finds how far a solid reaches along one direction. The most promising pieces come first.
 class Search {
  public:
   Search(const Space& space, Vector direction) : space_(space), cutter_(space), direction_(direction) {}
 
-  /// The least and the greatest that it may be; nothing if the solid is empty.
+  /// The least and the greatest possible reach. Nothing if the solid is empty.
   std::optional<Range> operator()() {
     add(cutter_.whole());
     for (std::size_t cuts = 0; !open_.empty() && cuts < most_cuts; ++cuts) {
@@ -80,13 +80,13 @@ class Search {
     }
     const std::size_t split = half.x >= half.y && half.x >= half.z ? 0 : half.y >= half.z ? 1 : 2;
     if (half[split] < least_half) {
-      left_ = std::fmax(left_, most);  // not worth a cut
+      left_ = std::fmax(left_, most);  // cutting it further is not worthwhile
     } else if (most > reached_) {
       open_.push({most, split, piece});
     }
   }
 
-  /// How far a piece's points may reach that are beyond what is known to be reached; nothing if there are none.
+  /// Bounds how far a piece's points may reach beyond what is known to be reached. Nothing if there are no such points.
   std::optional<double> most_by_planes(const PieceForms& forms, double middle) {
     std::array<LinearForm, Piece::most_surfaces> planes{};
     std::array<double, Piece::most_surfaces> off{};
@@ -94,12 +94,12 @@ class Search {
       const LocalForm& f = forms.f[i];
       const Range bend = forms.bend_of(f);
       planes[i] = {f.value + bend.middle(), f.gradient};
-      off[i] = bend.half() + 2 * f.slack;  // more than cutting rounds as well
+      off[i] = bend.half() + 2 * f.slack;  // this also covers the rounding of cuts
     }
     const auto corner = farthest_corner(std::span(planes).first(forms.count), std::span(off).first(forms.count),
                                         forms.table, forms.half, direction_, reached_ - middle);
     if (!corner) return std::nullopt;
-    // A point a little way in may be inside for sure.
+    // A point a little further in may be certain to be inside.
     for (int exponent = -40; exponent <= -2; exponent += 2) {
       const Vector d = corner->place + std::ldexp(1.0, exponent) * (corner->inner - corner->place);
       const double reach = middle + dot(direction_, d) - rounding;
@@ -115,8 +115,8 @@ class Search {
   PieceCutter cutter_;
   Vector direction_;
   std::priority_queue<Open> open_;
-  double reached_ = -infinity;  // by a point that is inside for sure
-  double left_ = -infinity;     // by pieces that were given up
+  double reached_ = -infinity;  // the reach of a point that is certainly inside
+  double left_ = -infinity;     // the reach of pieces that were given up
 };
 
 }  // namespace
@@ -133,10 +133,10 @@ Extent extent_of(const Space& space) {
     if (!up || !down) return {};
     extent.box.upper[axis] = center[axis] + space.scale() * up->high;
     extent.box.lower[axis] = center[axis] - space.scale() * down->high;
-    // If no point is known to be inside, the solid may be anywhere between the sides.
+    // If no point is known to be inside, the solid may be anywhere between the two sides.
     const double width = up->high + down->high;
     const double gap = std::fmin(width, std::fmax(up->high - up->low, down->high - down->low));
-    // Scaled and moved they round by half an ulp each.
+    // When they are scaled and moved, they round by half an ulp each.
     extent.error = std::fmax(extent.error, space.scale() * (gap + rounding) + 0x1p-51 * std::fabs(center[axis]));
   }
   return extent;

@@ -8,8 +8,8 @@ namespace csgcast::detail {
 
 /// How far a solid reaches along the axes of the scene.
 struct Extent {
-  Box box;           ///< null: the solid is empty
-  double error = 0;  ///< of each side
+  Box box;           ///< null if the solid is empty
+  double error = 0;  ///< bound on the error of each side
 };
 
 /// Precondition: the space is bounded.

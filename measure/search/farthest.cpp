@@ -29,7 +29,7 @@ class Finder {
       return;
     }
     while (!table.depends_on(next)) ++next;
-    // Where the form is nearly zero either sign is possible.
+    // If the form is nearly zero, either sign is possible.
     std::array<double, 4> lower{};
     std::array<double, 4> upper{};
     for (std::size_t i = 0; i < 4; ++i) {

@@ -10,15 +10,16 @@
 
 namespace csgcast::detail {
 
-/// The farthest corner, in some direction, of what planes cut out of a box.
+/// The farthest corner, in some direction, of a part that planes cut out of a box.
 struct Corner {
   double reach = 0;  ///< direction . place
   Vector place;
-  Vector inner;  ///< a point of the same tetrahedron, off its faces
+  Vector inner;  ///< a point inside the same tetrahedron, not on its faces
 };
 
-/// Of the points of a box about the origin that are inside by the signs of forms, which may be off by as much as `off`
-/// says: no such point is farther. Nothing if there is none, or none beyond `least`.
+/// Examines the points of a box about the origin that are inside by the signs of linear forms. Each form may be off by
+/// its entry in `off`. No such point is farther than the result. Returns nothing if there is no such point, or none
+/// beyond `least`.
 std::optional<Corner> farthest_corner(std::span<const LinearForm> forms, std::span<const double> off,
                                       const TruthTable& table, Vector half, Vector direction, double least);
 

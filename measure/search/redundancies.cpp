@@ -11,8 +11,8 @@ namespace {
 
 using Op = Node::Op;
 
-/// From the root down, with what a change below could alter at most: the other operands of an intersection, or what is
-/// subtracted from, hold all of it.
+/// Searches from the root down, with a box of everything that a change below could alter. The other operands of an
+/// intersection hold all of that; so does the operand that others are subtracted from.
 class RedundancySearch {
  public:
   RedundancySearch(const Space& whole, const std::function<bool(NodeId)>& is_empty,
@@ -51,12 +51,12 @@ class RedundancySearch {
     found_.push_back({why, operation.op, operation.first_leaf, operation.leaf_end, operation.place});
   }
 
-  /// Whether it is a statement that is redundant; then it is reported.
+  /// True if the node is a redundant statement; then it is reported.
   bool look_at(const Visit& visit) {
     const Node& node = scene_.node(visit.node);
     const auto operation = operation_of_.find(visit.node.index());
     const bool is_statement = node.op == Op::leaf || operation != operation_of_.end();
-    // Without that which is subtracted from all the difference is empty, which was looked at.
+    // Without the operand that all others are subtracted from, the difference is empty, which was tested before.
     if (!is_statement || visit.role == Role::subtracted_from) return false;
     const bool as_everything = visit.role == Role::of_intersection;
     const Box reach = as_everything ? visit.reach : intersection(visit.reach, node.box);
@@ -111,7 +111,7 @@ class RedundancySearch {
   const Scene& scene_;
   const std::function<bool(NodeId)>& is_empty_;
   const std::function<void(double)>& tell_;
-  std::unordered_map<std::uint32_t, const Operation*> operation_of_;  // by node, the outermost
+  std::unordered_map<std::uint32_t, const Operation*> operation_of_;  // by node: its outermost operation
   std::vector<Visit> open_;
   std::size_t leaves_seen_ = 0;
   std::size_t not_asked_ = 0;

@@ -8,16 +8,16 @@
 
 namespace csgcast {
 
-/// A statement, a leaf or one that joins solids, that the solid would be the same without.
+/// A statement (a leaf, or one that joins solids) without which the solid would be the same.
 struct Redundancy {
   enum class Why {
-    is_empty,       ///< nothing is in it
-    has_no_effect,  ///< its place is taken, or nothing is there to be cut
+    is_empty,       ///< the statement holds nothing
+    has_no_effect,  ///< other solids take its place, or there is nothing to cut
     holds_all,      ///< it is an operand of an intersection, and the others are all within it
   };
   Why why = Why::has_no_effect;
   Node::Op op = Node::Op::leaf;
-  std::uint32_t first_leaf = 0;  ///< of those in it: [first_leaf, leaf_end); a leaf's own
+  std::uint32_t first_leaf = 0;  ///< its leaves are [first_leaf, leaf_end); a leaf has itself only
   std::uint32_t leaf_end = 0;
   Place place;
 };

@@ -17,7 +17,7 @@
 namespace csgcast::detail {
 namespace {
 
-/// A sum of many numbers, as exact as if it were rounded once: Neumaier's.
+/// A sum of many numbers, nearly as exact as if it were rounded only once. Source: Neumaier.
 class Sum {
  public:
   void add(double x) {
@@ -37,7 +37,7 @@ double volume_of(const CellBox& box) {
   return size.x * size.y * size.z;
 }
 
-/// A piece that may be cut further, and what it adds.
+/// A piece that may be cut further, and its estimate.
 struct Part {
   Piece piece;
   Estimate estimate;
@@ -68,7 +68,7 @@ class Refinement {
     whole.estimate = estimate(space_, whole.piece);
     keep(std::move(whole));
     do {
-      // Where faces nearly coincide, or are not resolved yet, cutting makes areas less certain.
+      // Where faces nearly coincide, or are not resolved yet, a cut makes areas less certain.
       if (area_error() < least_area_error_) {
         least_area_error_ = area_error();
         best_area_ = now_.area.value();
@@ -78,7 +78,7 @@ class Refinement {
   }
 
  private:
-  // So many parts are cut side by side, unless they make up this share of the error.
+  // At most this many parts are cut side by side, and no more than make up this share of the error.
   static constexpr std::size_t most_at_once = 4096;
   static constexpr double share_at_once = 0.25;
   static constexpr std::size_t pieces_of_leaf = 512;
@@ -95,7 +95,7 @@ class Refinement {
     ++pieces_;
     now_.add(part.estimate);
     const Estimate& e = part.estimate;
-    if (e.volume_error == 0 && e.area_error == 0) return certain_.add(e);  // needs no place of its own
+    if (e.volume_error == 0 && e.area_error == 0) return certain_.add(e);  // such a part needs no place of its own
     std::uint32_t at = static_cast<std::uint32_t>(parts_.size());
     if (free_.empty()) {
       parts_.emplace_back();
@@ -119,12 +119,14 @@ class Refinement {
   }
   bool is_as_asked() const { return ranking_.empty() || (volume_is_as_asked() && area_is_as_asked()); }
 
-  /// How much a part is to blame: the area for no more than what its error is beside the solid's.
+  /// The share of a part in the error that is still too large. The area counts in proportion to its error, compared
+  /// with the solid's.
   double blame(const Estimate& e) const {
     return (blames_volume_ ? e.volume_error : 0) + (blames_area_ ? area_weight_ * e.area_error : 0);
   }
 
-  /// What is to blame changes when one of volume and area is as it should be; areas get weights that make errors alike.
+  /// The ranking changes when either volume or area reaches its target. The area gets a weight that makes the two
+  /// errors comparable.
   void rank_again() {
     const bool volume = !volume_is_as_asked();
     const bool area = !area_is_as_asked();
@@ -138,8 +140,8 @@ class Refinement {
     std::make_heap(ranking_.begin(), ranking_.end());
   }
 
-  /// False when cutting has brought next to nothing for long: what is left is rounding, or a solid without volume, or
-  /// faces that nearly coincide. Where there are many leaves it takes many pieces before any is resolved.
+  /// False if cuts have improved next to nothing for a long time. Then only rounding is left, or the solid has no
+  /// volume, or faces nearly coincide. With many leaves it takes many pieces before any leaf is resolved.
   bool is_worth_more() {
     rank_again();
     const double error = blames_volume_ ? volume_error() : area_error();
@@ -151,16 +153,16 @@ class Refinement {
     return pieces_ <= 4 * pieces_then_ + 16384 + pieces_of_leaf * space_.scene().leaves().size();
   }
 
-  /// Of nothing, infinite unless it is certain.
+  /// The relative error. For a value of zero it is infinite, unless the value is certain.
   static double relative(double error, double value) { return error == 0 ? 0 : error / std::fabs(value); }
 
-  /// From an error of all to that asked for, digit by digit.
+  /// The progress from an error of 1 to the error that was asked for, counted in digits.
   static double share_done(double error, double asked) {
     if (!(asked < 1)) return 1;
     return std::clamp(std::log(std::fmin(error, 1)) / std::log(asked), 0.0, 1.0);
   }
 
-  /// Of volume and area the share that is behind.
+  /// The smaller of the shares of volume and area.
   Progress progress() const {
     const double error = relative(volume_error(), now_.volume.value());
     const double volume = share_done(error, options_.relative_error);
@@ -168,7 +170,8 @@ class Refinement {
     return {std::fmin(volume, area), error};
   }
 
-  /// Cuts the parts that are to blame most; false if there would be too many, or the caller has had enough.
+  /// Cuts the parts with the largest share in the error. Returns false if there would be too many parts, or the caller
+  /// has had enough.
   bool refine() {
     const Progress now = progress();
     tell_(now);
@@ -208,13 +211,13 @@ class Refinement {
     return true;
   }
 
-  /// Crowded pieces across whichever axis is best, as for layers side by side.
+  /// Crowded pieces are cut across the axis that is best for that, for example for layers side by side.
   static std::pair<Piece, Piece> cut(PieceCutter& cutter, const Part& part) {
     return part.piece.is_crowded() ? cut_apart(cutter, part.piece, part.estimate.split)
                                    : cut_across(cutter, part.piece, part.estimate.split);
   }
 
-  // From the parts, not from what was added and taken away on the way.
+  // Sums the parts anew, not what was added and taken away on the way.
   Totals totals() {
     Sums sums = certain_;
     Totals result;
@@ -251,8 +254,8 @@ class Refinement {
   const std::function<void(const Progress&)>& tell_;
   tbb::enumerable_thread_specific<PieceCutter> cutters_;
   std::vector<Part> parts_;
-  std::vector<std::uint32_t> free_;  // places in parts_
-  std::vector<Ranked> ranking_;      // a heap of the others
+  std::vector<std::uint32_t> free_;  // vacant places in parts_
+  std::vector<Ranked> ranking_;      // a heap of the other places
   Sums certain_;
   Sums now_;
   std::size_t pieces_ = 0;

@@ -10,7 +10,7 @@
 
 namespace csgcast::detail {
 
-/// Sums over all of a solid, in the coordinates of its space.
+/// The sums over a whole solid, in the coordinates of its space.
 struct Totals {
   Moments moments;
   double volume_error = 0;
@@ -22,13 +22,13 @@ struct Totals {
   bool is_as_asked = false;
 };
 
-/// A sum and its error in the scene's unit of length: with what sums and scaling round, and with what is lost if the
-/// numbers are too large or too small for doubles.
+/// A sum and its error in the scene's unit of length. The error includes the rounding of sums and of scaling, and the
+/// loss if the numbers are too large or too small for doubles.
 Measured scaled(double factor, double value, double error);
 
-/// Cuts space until the sums are as certain as the options ask, or enough. `tell` is told now and then, by the calling
-/// thread, how far that is; what it throws ends the work. The options' own progress is not told. Precondition: the
-/// space is bounded.
+/// Cuts space until the sums are as certain as the options ask for, or is_enough says so. The calling thread calls
+/// `tell` now and then with the progress. If `tell` throws, the work ends. The options' own progress callback is not
+/// called. Precondition: the space is bounded.
 Totals refine(
     const Space& space, const MeasureOptions& options,
     const std::function<void(const Progress&)>& tell = [](const Progress&) {});

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t most_cuts = 6000;
 constexpr int deepest = 150;
 constexpr double next_to_nothing = 0x1p-36;
-// Below this coordinates in space do not tell places apart.
+// Below this size, coordinates in space do not distinguish places.
 constexpr double least_half = 0x1p-44;
 
 /// A piece that may hold something.
@@ -30,13 +30,14 @@ struct Candidate {
 
 class PlaceSearch {
  public:
-  /// `left_aside`: pieces that may hold no more than this share of their box are not cut.
+  /// `left_aside`: a piece that may hold no more than this share of its box is not cut.
   PlaceSearch(const Space& space, const LineTest& test, double left_aside)
       : space_(space), cutter_(space), test_(test), left_aside_(left_aside) {}
 
   SearchResult operator()() {
     add(cutter_.whole(), 0);
-    // Downwards first, into the half that holds more, as far as is known; then the largest of what was left aside.
+    // The search goes down first, into the half that probably holds more. Then it takes the largest piece that was left
+    // aside.
     while (!open_.empty() && !witness_ && cuts_ < most_cuts) {
       std::pop_heap(open_.begin(), open_.end(), holds_less);
       Candidate next = std::move(open_.back());
@@ -79,13 +80,13 @@ class PlaceSearch {
       if (added == 2 && holds_less(open_[before + 1], open_[before])) std::swap(open_[before], open_[before + 1]);
       candidate = std::move(open_.back());
       open_.pop_back();
-      if (added == 2) std::push_heap(open_.begin(), open_.end(), holds_less);  // the other one
+      if (added == 2) std::push_heap(open_.begin(), open_.end(), holds_less);  // this adds the other one
     }
     open_.push_back(std::move(candidate));
     std::push_heap(open_.begin(), open_.end(), holds_less);
   }
 
-  /// Puts a piece behind the heap, unless it holds nothing; tries it.
+  /// Tests a piece, and puts it behind the heap unless it holds nothing.
   void add(Piece piece, int depth) {
     if (piece.is_constant() && !piece.value()) return;
     Candidate candidate{std::move(piece), {}, depth};
@@ -98,7 +99,7 @@ class PlaceSearch {
     }
   }
 
-  /// Along the line that the surfaces cross most steeply, through the middle of what is likely there.
+  /// Tries the line that the surfaces cross most steeply, through the middle of what probably is there.
   void try_line(const Candidate& candidate) {
     if (witness_) return;
     const PieceForms forms(space_, candidate.piece);

@@ -10,24 +10,24 @@
 
 namespace csgcast::detail {
 
-/// What is known of a part of space after a search.
+/// The result of a search in a part of space.
 struct SearchResult {
-  std::optional<Point> witness;  ///< a place in it
-  bool is_empty = false;         ///< proved
-  double most_volume = 0;        ///< without a witness: no more than this is left, in the scene's unit
+  std::optional<Point> witness;  ///< a place in the space
+  bool is_empty = false;         ///< true if the space is proved to be empty
+  double most_volume = 0;        ///< without a witness: upper bound on the volume that is left, in the scene's unit
 };
 
-/// A place that is surely in the space, on a line through a point of the scene, if one is found there.
+/// Returns a place that is certainly in the space, on a line through a point of the scene, if it finds one there.
 using LineTest = std::function<std::optional<Point>(Point through, Vector along)>;
 
-/// Looks for a place in a space, in pieces that are likely to hold one first. Precondition: it is bounded. Pieces of
-/// next to nothing, as along faces that all but coincide, are left to lines.
+/// Looks for a place in a space. Pieces that are likely to hold one come first. Very small pieces, for example along
+/// faces that nearly coincide, are left to lines. Precondition: the space is bounded.
 SearchResult find_place(const Space& space, const LineTest& test);
 
-/// Whether a space is proved to hold nothing: by its pieces alone, down to the least.
+/// True if a space is proved to hold nothing. Only its pieces are used, down to the smallest.
 bool is_nothing(const Space& space);
 
-/// The volume, to a hundredth if possible. Precondition: the space is bounded.
+/// The volume, with an error of one per cent if possible. Precondition: the space is bounded.
 Measured volume_of(const Space& space);
 
 }  // namespace csgcast::detail

@@ -14,7 +14,7 @@ namespace {
 // Ends that were computed in neighbouring pieces are nearer to each other than this, in units of the space.
 constexpr double same_place = 0x1p-40;
 
-/// Where ends of arcs meet: sets of ends and corners.
+/// The places where ends of arcs meet: sets of ends and corners.
 class Junctions {
  public:
   explicit Junctions(const ArcTrace& trace) : trace_(trace), parent_(2 * trace.arcs.size() + trace.corners.size()) {
@@ -29,7 +29,7 @@ class Junctions {
   std::uint32_t from(std::size_t arc) { return root(static_cast<std::uint32_t>(2 * arc)); }
   std::uint32_t to(std::size_t arc) { return root(static_cast<std::uint32_t>(2 * arc + 1)); }
 
-  /// Across what was joined.
+  /// The size of the largest set that was joined.
   double widest() {
     std::unordered_map<std::uint32_t, CellBox> whole;
     for (std::uint32_t i = 0; i < parent_.size(); ++i) {
@@ -93,14 +93,14 @@ class Junctions {
   double cell_ = 0;
 };
 
-/// By how much one arc turns left into the next, in (-pi, pi].
+/// The angle by which one arc turns left into the next, in (-pi, pi].
 double turn(const Arc& a, const Arc& b) {
   const double ax = a.to[0] - a.middle[0], ay = a.to[1] - a.middle[1];
   const double bx = b.middle[0] - b.from[0], by = b.middle[1] - b.from[1];
   return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
 }
 
-/// A loop's arcs, those of one surface side by side as one; the loop begins where the surface changes.
+/// A loop's arcs, with adjacent arcs of the same surface merged. The loop begins where the surface changes.
 std::vector<Arc> merged(std::vector<Arc> loop) {
   const auto changes = [&](std::size_t i) {
     return loop[i].surface != loop[(i + loop.size() - 1) % loop.size()].surface;
@@ -133,7 +133,7 @@ JoinedArcs join_arcs(const ArcTrace& trace) {
   std::unordered_map<std::uint32_t, std::vector<std::size_t>> leaving;
   std::vector<bool> is_used(count);
   for (std::size_t i = 0; i < count; ++i) {
-    // What begins and ends at one corner is part of it.
+    // An arc that begins and ends at the same corner is part of it.
     const Arc& arc = trace.arcs[i];
     const double size = std::hypot(arc.to[0] - arc.from[0], arc.to[1] - arc.from[1]);
     is_used[i] = junctions.from(i) == junctions.to(i) && size < 0x1p-20;
@@ -152,7 +152,8 @@ JoinedArcs join_arcs(const ArcTrace& trace) {
       double best = 0;
       for (const std::size_t other : leaving[place]) {
         if (is_used[other]) continue;
-        // Straight on along the surface, else the sharpest turn to the left, which keeps loops that touch apart.
+        // The next arc goes straight on along the surface. Otherwise it is the one with the sharpest turn to the left,
+        // which keeps touching loops apart.
         const double rank =
             trace.arcs[other].surface == trace.arcs[at].surface ? 10 : turn(trace.arcs[at], trace.arcs[other]);
         if (next == count || rank > best) {

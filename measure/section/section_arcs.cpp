@@ -14,11 +14,11 @@
 namespace csgcast::detail {
 namespace {
 
-// Corners smaller than this are not cut any more, in units of the space.
+// Corners smaller than this, in units of the space, are not cut any more.
 constexpr double least_corner = 0x1p-38;
 constexpr std::size_t pieces_between_looks = 256;
 
-/// Finds the arcs in the pieces of a section's space, and cuts those in which curves cross.
+/// Finds the arcs in the pieces of a section's space. It cuts pieces in which curves cross.
 class Tracer {
  public:
   explicit Tracer(const Space& space) : space_(space), cutter_(space) {}
@@ -56,7 +56,7 @@ class Tracer {
     return {std::fmax(size.x, size.y), std::move(piece)};
   }
 
-  /// False if the piece must be cut.
+  /// Returns false if the piece must be cut.
   bool add_arcs(const Piece& piece) {
     if (piece.is_crowded()) return false;
     const PieceForms forms(space_, piece);
@@ -92,7 +92,7 @@ class Tracer {
       return p;
     };
     Arc arc{place(range.low), place(y), place(range.high), forms.surface[*curve.wall]};
-    // Upwards along y the left is towards lower x, if x and y are right-handed.
+    // For an arc that goes up along y, the left side is towards lower x, if x and y are right-handed.
     if (is_inside_right == (ax == 0)) std::swap(arc.from, arc.to);
     trace_.arcs.push_back(arc);
     trace_.displaced = std::fmax(trace_.displaced, curve.form.slack / curve.least_slope);

@@ -9,25 +9,25 @@
 namespace csgcast::detail {
 namespace {
 
-// g less the multiple of f that makes the rest most nearly constant, lengths in units of a box's half sides: where f is
-// 0 it is g.
+// g less the multiple of f that makes the rest most nearly constant, with lengths in units of a box's half sides. Where
+// f is 0, the result is g.
 LocalForm less_multiple(const LocalForm& f, const LocalForm& g, double s) {
   LocalForm rest;
   rest.value = g.value - s * f.value;
   rest.gradient = g.gradient - s * f.gradient;
   for (std::size_t k = 0; k < 6; ++k) rest.bend[k] = g.bend[k] - s * f.bend[k];
-  // The differences round by less than what the slacks, 2^-46 of all terms, have to spare.
+  // The differences round by less than the reserve of the slacks, which are 2^-46 of all terms.
   rest.slack = g.slack + std::fabs(s) * f.slack;
   return rest;
 }
 
-// The roots of c + b t + a t² in (-reach, reach).
+// Adds the roots of c + b t + a t² in (-reach, reach).
 void add_roots(double a, double b, double c, double reach, std::vector<double>& roots) {
   const auto add = [&](double t) {
     if (std::fabs(t) < reach) roots.push_back(t);
   };
   const double d = b * b - 4 * a * c;
-  // Where a curve only just touches, or just does not, it may do so: there is an end as well.
+  // If a curve touches, or just misses, it may really touch. So there is an end as well.
   if (a != 0 && std::fabs(d) <= 0x1p-40 * (b * b + 4 * std::fabs(a * c))) add(-0.5 * b / a);
   if (!(d >= 0)) return;
   const double q = -0.5 * (b + std::copysign(std::sqrt(d), b));
@@ -43,7 +43,7 @@ bool ColumnLayout::find() { return find_surfaces() && find_crossings(); }
 bool ColumnLayout::find_surfaces() {
   for (std::size_t i = 0; i < forms_.count; ++i) {
     const LocalForm& form = forms_.f[i];
-    // What depends on z at all.
+    // This is the part that does not depend on z.
     LocalForm flat = at_height(form, 0);
     const LocalForm rest = less_multiple(flat, form, 1);
     const Range bend = forms_.bend_of(rest);
@@ -66,7 +66,7 @@ bool ColumnLayout::find_surfaces() {
   return true;
 }
 
-// Where sheets leave the box or cross each other.
+// Finds where sheets leave the box or cross each other.
 bool ColumnLayout::find_crossings() {
   for (std::size_t k = 0; k < sheets_.size(); ++k) {
     const LocalForm& f = forms_.f[sheets_[k].surface];
@@ -87,7 +87,7 @@ bool ColumnLayout::find_crossings() {
   return true;
 }
 
-/// False if the form may be 0 in the rectangle, but is not so along one curve x(y).
+/// Returns false if the form may be 0 in the rectangle, but not along a single curve x(y).
 bool ColumnLayout::add_curve(const LocalForm& form, std::optional<std::size_t> wall) {
   if (side_of_box(form) != 0) return true;
   const Range slope = forms_.slope_of(form, axes_.x);
@@ -99,7 +99,7 @@ bool ColumnLayout::add_curve(const LocalForm& form, std::optional<std::size_t> w
   return true;
 }
 
-/// Whether the value is the same on both sides of surface i, wherever it is.
+/// True if the value is the same on both sides of surface i everywhere.
 bool ColumnLayout::has_no_effect(std::size_t i) const {
   TruthTable table = forms_.table;
   for (std::size_t j = 0; j < forms_.count; ++j) {
@@ -110,7 +110,7 @@ bool ColumnLayout::has_no_effect(std::size_t i) const {
   return !table.depends_on(i);
 }
 
-/// The sign that a form has all over the box; 0 if it is open.
+/// The sign of a form in the whole box; 0 if it is open.
 int ColumnLayout::side_of_box(const LocalForm& form) const {
   const Range bend = forms_.bend_of(form);
   double reach = form.slack;
@@ -120,7 +120,7 @@ int ColumnLayout::side_of_box(const LocalForm& form) const {
   return 0;
 }
 
-/// The sign that g has wherever f is 0 in the box; 0 if it is open.
+/// The sign of g wherever f is 0 in the box; 0 if it is open.
 int ColumnLayout::side_along(const LocalForm& f, const LocalForm& g) const {
   double product = 0;
   double squares = 0;
@@ -132,7 +132,7 @@ int ColumnLayout::side_along(const LocalForm& f, const LocalForm& g) const {
   return side_of_box(less_multiple(f, g, squares > 0 ? product / squares : 0));
 }
 
-/// What the form is at one height: it no longer depends on z.
+/// The form at one height. It no longer depends on z.
 LocalForm ColumnLayout::at_height(const LocalForm& form, double z) const {
   LocalForm flat = form;
   const std::size_t up = axes_.up;
@@ -146,8 +146,8 @@ LocalForm ColumnLayout::at_height(const LocalForm& form, double z) const {
   return flat;
 }
 
-/// The curve over which two sheets cross, if that is a conic: one of them is a plane, or the two have the same terms of
-/// second degree up to a factor, so that they meet in a plane.
+/// The curve above which two sheets cross, if it is a conic. It is one if one of them is a plane, or if the two have
+/// the same terms of second degree up to a factor: then they meet in a plane.
 std::optional<LocalForm> ColumnLayout::crossing(const LocalForm& f, const LocalForm& g) const {
   const auto is_flat = [&](const LocalForm& form) {
     const Range bend = forms_.bend_of(form);
@@ -166,7 +166,7 @@ std::optional<LocalForm> ColumnLayout::crossing(const LocalForm& f, const LocalF
   return std::nullopt;
 }
 
-/// A form over a plane that is not upright: z = p + q x + r y put into it.
+/// A form on a plane that is not upright: z = p + q x + r y is substituted.
 LocalForm ColumnLayout::on_plane(const LocalForm& form, const LocalForm& plane) const {
   const auto [x, y, up] = axes_;
   const double n = plane.gradient[up];
@@ -183,7 +183,7 @@ LocalForm ColumnLayout::on_plane(const LocalForm& form, const LocalForm& plane) 
   flat.bend[Moments::of_axes(x, x)] += (a * q + xz) * q;
   flat.bend[Moments::of_axes(y, y)] += (a * r + yz) * r;
   flat.bend[Moments::of_axes(x, y)] += 2 * a * q * r + xz * r + yz * q;
-  // The plane may be off by its slack and what it bends, which moves z, and the sums round.
+  // The plane may be off by its slack and its bend, which moves z. In addition, the sums round.
   const Range bend = forms_.bend_of(plane);
   const double reach = std::fabs(p) + std::fabs(q) * hx() + std::fabs(r) * hy();
   const double steep =

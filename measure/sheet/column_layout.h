@@ -14,38 +14,38 @@ namespace csgcast::detail {
 
 /// A surface that is one sheet over the rectangle of a piece's box.
 struct SheetOfPiece {
-  std::size_t surface = 0;  ///< which of the piece's
+  std::size_t surface = 0;  ///< the index of the surface in the piece
   Sheet sheet;
   double least_slope = 0;  ///< |df/dz| in the box
 };
 
-/// A curve x(y) in the rectangle at which the columns change: where a sheet leaves the box by its top or bottom, where
-/// two sheets cross, or where a surface stands upright.
+/// A curve x(y) in the rectangle at which the columns change. There a sheet leaves the box by its top or bottom, two
+/// sheets cross, or a surface stands upright.
 struct Curve {
   LocalForm form;
-  std::optional<std::size_t> wall;  ///< the surface that stands on it
+  std::optional<std::size_t> wall;  ///< the surface that stands upright on the curve
   Sheet x;                          ///< over y
   double least_slope = 0;           ///< |df/dx| in the rectangle
 };
 
-/// Part of a piece's columns, [low, high] in y, in which no curve begins or ends.
+/// A part of a piece's columns, [low, high] in y, in which no curve begins or ends.
 struct YRange {
   double low = 0;
   double high = 0;
 };
 
-/// A piece seen as columns over a rectangle (docs/measuring.md, "Sheets"): the surfaces are sheets or upright, and all
-/// changes from column to column are along curves that do not cross each other.
+/// Divides a piece into columns over a rectangle (docs/measuring.md, "Sheets"). Each surface must be a sheet or
+/// upright. All changes from column to column must be along curves that do not cross each other.
 class ColumnLayout {
  public:
   ColumnLayout(const PieceForms& forms, Sheet::Axes axes) : forms_(forms), axes_(axes) {}
 
-  /// False if the piece is not like that.
+  /// Returns false if the piece is not like that.
   bool find();
 
   const std::vector<SheetOfPiece>& sheets() const { return sheets_; }
   const std::vector<Curve>& curves() const { return curves_; }
-  /// Where a curve meets a side of the rectangle there is an end of a range.
+  /// The ranges. A range ends where a curve meets a side of the rectangle.
   std::vector<YRange> ranges() const;
 
   double hx() const { return forms_.half[axes_.x]; }

@@ -12,8 +12,8 @@
 namespace csgcast::detail {
 namespace {
 
-// What a tetrahedron's volume rounds, in units of the product of the box's half sides, and a triangle's area, in units
-// of the square of the longest (docs/measuring.md).
+// The rounding of a tetrahedron's volume, in units of the product of the box's half sides, and of a triangle's area, in
+// units of the square of the longest half side (docs/measuring.md).
 constexpr double rounding = 0x1p-46;
 
 double longest_side(Vector half) { return std::fmax(half.x, std::fmax(half.y, half.z)); }
@@ -28,21 +28,22 @@ Vector greatest_coordinates(const PieceForms& forms) {
   return reach;
 }
 
-// The share of a box, or of its projection along an axis, in which a linear form is within `off` of 0: at most.
+// Upper bound on the share of a box, or of its projection along an axis, in which a linear form is within `off` of 0.
 double share_near(Vector gradient, Vector half, double off) {
   double most = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) most = std::fmax(most, std::fabs(gradient[axis]) * half[axis]);
   return off < most ? off / most : 1;
 }
 
-// Of all surfaces in the box. A plane meets a line once, a quadric twice: Cauchy and Crofton.
+// Upper bound on the area of all surfaces in the box. A plane meets a line once, a quadric twice. Source: Cauchy and
+// Crofton.
 double greatest_area(const PieceForms& forms) {
   double surfaces = 0;
   for (std::size_t i = 0; i < forms.count; ++i) surfaces += forms.is_plane[i] ? 0.5 : 1;
   return surfaces * surface_of(forms.half);
 }
 
-// Nothing is known but that the solid's part is between nothing and all.
+// Only that the solid's part is between nothing and everything is known.
 Estimate unknown(const PieceForms& forms, double most_area) {
   Estimate e;
   e.moments = moved(0.5 * box_moments(forms.half), forms.middle);
@@ -52,7 +53,7 @@ Estimate unknown(const PieceForms& forms, double most_area) {
   return e;
 }
 
-// The axis along which cutting straightens the surfaces most.
+// The axis along which a cut straightens the surfaces most.
 std::size_t bending_axis(const PieceForms& forms) {
   Vector bends;
   for (std::size_t i = 0; i < forms.count; ++i) {
@@ -67,7 +68,7 @@ std::size_t bending_axis(const PieceForms& forms) {
         bends[axis] += share * std::fabs(bend_along(f, axis, j)) * forms.half[axis] * forms.half[j];
     }
   }
-  // Where they bend alike, the longest side; never one along which nothing changes.
+  // If they bend alike, the longest side is cut, but never along an axis on which nothing changes.
   for (std::size_t axis = 0; axis < 3; ++axis) {
     bends[axis] += 1e-3 * forms.half[axis] / longest_side(forms.half);
     bool changes = false;
@@ -91,7 +92,7 @@ Estimate estimate(const Space& space, const Piece& piece) {
   }
   Estimate result;
   if (piece.is_crowded() || !forms.are_known) {
-    // By Cauchy and Crofton, too.
+    // This bound, too, is by Cauchy and Crofton.
     std::uint64_t crossings = piece.crowd_crossings;
     if (!piece.is_crowded()) {
       for (std::size_t i = 0; i < piece.count; ++i) crossings += space.most_crossings(piece.surfaces[i]);
@@ -113,13 +114,13 @@ Estimate estimate(const Space& space, const Piece& piece) {
 
 namespace {
 
-/// What is known of the area of one surface's faces in a piece whose surfaces are replaced by planes.
+/// Bounds the area of one surface's faces in a piece whose surfaces are replaced by planes.
 class FaceArea {
  public:
   FaceArea(const PieceForms& forms, std::span<const LinearForm> planes, std::span<const double> off)
       : forms_(forms), planes_(planes), off_(off) {}
 
-  /// `area`: of the plane's faces. The true area, and by how much it may differ.
+  /// `area` is the area of the plane's faces. Returns the true area, and a bound on its error.
   std::pair<double, double> operator()(std::size_t i, double area) const {
     const Vector g = planes_[i].gradient;
     const Vector h = forms_.half;
@@ -132,7 +133,7 @@ class FaceArea {
     if (!(slope.low > 0 || slope.high < 0)) return {0.5 * most, 0.5 * most};
     const double least_slope = std::fmin(std::fabs(slope.low), std::fabs(slope.high));
     const double most_slope = std::fmax(std::fabs(slope.low), std::fabs(slope.high));
-    double low = 1, high = 1, here = 1;  // the squares of area by projected area
+    double low = 1, high = 1, here = 1;  // the squares of the ratio of area to projected area
     for (std::size_t a = 0; a < 3; ++a) {
       if (a == axis) continue;
       const Range other = forms_.slope_of(forms_.f[i], a);
@@ -155,8 +156,8 @@ class FaceArea {
  private:
   static double square(double x) { return x * x; }
 
-  /// The share of the projection in which it is open whether the sheet is there and a face. `away`: the sheet's
-  /// distance from its plane along the axis, at most.
+  /// The share of the projection in which it is open whether the sheet is there and is a face. `away` bounds the
+  /// sheet's distance from its plane along the axis.
   double strips(std::size_t i, std::size_t axis, double away) const {
     const Vector g = planes_[i].gradient;
     const Vector h = forms_.half;
@@ -167,7 +168,7 @@ class FaceArea {
       for (std::size_t a = 0; a < 3; ++a) reach += std::fabs(on_plane.gradient[a]) * h[a];
       if (std::fabs(on_plane.value) <= reach + off) share += share_near(on_plane.gradient, h, off);
     };
-    // The plane's height above the middle: -(value + the rest of the gradient) / g.
+    // This is the plane's height above the middle: -(value + the rest of the gradient) / g.
     const LinearForm height{-planes_[i].value / g[axis], (-1 / g[axis]) * g};
     add({height.value - h[axis], height.gradient}, away);
     add({height.value + h[axis], height.gradient}, away);
@@ -189,7 +190,7 @@ class FaceArea {
 
 Estimate linear_estimate(const PieceForms& forms) {
   std::array<LinearForm, Piece::most_surfaces> planes{};
-  std::array<double, Piece::most_surfaces> off{};  // of the forms from the planes
+  std::array<double, Piece::most_surfaces> off{};  // the distance of the forms from the planes
   double share = 0;
   for (std::size_t i = 0; i < forms.count; ++i) {
     const LocalForm& f = forms.f[i];

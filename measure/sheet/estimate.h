@@ -10,23 +10,23 @@
 
 namespace csgcast::detail {
 
-/// What a piece adds to a solid's measures, in the coordinates of its space.
+/// The contribution of a piece to a solid's measures, in the coordinates of its space.
 struct Estimate {
-  Moments moments;          ///< about the origin
-  double volume_error = 0;  ///< a bound
+  Moments moments;          ///< moments about the origin
+  double volume_error = 0;  ///< error bound
   double area = 0;
   double area_error = 0;
-  Vector reach;           ///< no point counted wrongly has a coordinate of greater magnitude
-  std::size_t split = 0;  ///< the axis across which to cut the piece
+  Vector reach;           ///< no coordinate of a wrongly counted point is greater in magnitude
+  std::size_t split = 0;  ///< the axis across which the piece should be cut
 };
 
 Estimate estimate(const Space& space, const Piece& piece);
 
-/// By sheets over one of the axes (docs/measuring.md); nothing if the piece is not like that, or rule and surfaces do
-/// not go together. `split` is left open.
+/// An estimate by sheets over one of the axes (docs/measuring.md). Returns nothing if the piece is not suitable, or if
+/// the rule does not suit the surfaces. `split` is not set.
 std::optional<Estimate> sheet_estimate(const PieceForms& forms);
 
-/// The same with every surface replaced by a plane.
+/// An estimate with every surface replaced by a plane.
 Estimate linear_estimate(const PieceForms& forms);
 
 }  // namespace csgcast::detail

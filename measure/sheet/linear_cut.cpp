@@ -10,8 +10,8 @@
 namespace csgcast::detail {
 namespace {
 
-/// Cuts a box's tetrahedra by one plane after another. What is left of a table once the planes before have been
-/// decided goes along.
+/// Cuts a box's tetrahedra by one plane after another. It passes along the part of the table that is left once the
+/// previous planes are decided.
 class Cutter {
  public:
   Cutter(std::span<const LinearForm> forms, LinearCut& result) : forms_(forms), result_(result) {
@@ -49,7 +49,7 @@ class Cutter {
     }
   }
 
-  /// A part of the plane `of`, where the value changes across it wherever `change` says so.
+  /// Adds a part of the plane `of`. The value changes across it wherever `change` is true.
   void add_face(const Triangle& t, std::size_t of, std::size_t next, const TruthTable& change) {
     if (change.is_never()) return;
     if (change.is_always()) {
@@ -80,7 +80,7 @@ class Cutter {
   }
 
   std::span<const LinearForm> forms_;
-  std::array<Vector, Piece::most_surfaces> units_{};  // their gradients
+  std::array<Vector, Piece::most_surfaces> units_{};  // the normalised gradients
   LinearCut& result_;
 };
 

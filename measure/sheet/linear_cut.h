@@ -20,15 +20,15 @@ struct LinearForm {
   double at(Vector d) const { return value + dot(gradient, d); }
 };
 
-/// What planes cut out of a box about the origin.
+/// The part that planes cut out of a box about the origin.
 struct LinearCut {
-  Moments moments;                                   ///< of the points inside
-  std::array<double, Piece::most_surfaces> areas{};  ///< of the faces in each plane: where the value changes across it
-  std::size_t tetrahedra = 0;                        ///< that were summed
+  Moments moments;                                   ///< moments of the points inside
+  std::array<double, Piece::most_surfaces> areas{};  ///< by plane: the area of its faces
+  std::size_t tetrahedra = 0;                        ///< the number of tetrahedra that were summed
   std::size_t triangles = 0;
 };
 
-/// `table`: whether points are inside, by the signs of the forms (Piece::table). The sums are exact but for rounding
+/// `table` tells if points are inside, by the signs of the forms (Piece::table). The sums are exact up to rounding
 /// (docs/measuring.md).
 LinearCut cut_linearly(std::span<const LinearForm> forms, const TruthTable& table, Vector half);
 

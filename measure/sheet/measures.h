@@ -11,16 +11,16 @@
 
 namespace csgcast {
 
-/// A number, and a bound on how far the true value is from it: proved, rounding included (docs/measuring.md).
+/// A number and a proved bound on its error. The bound includes rounding (docs/measuring.md).
 struct Measured {
   double value = 0;
   double error = 0;
 };
 
-/// What a body comes to. Lengths are in the scene's unit; masses are densities times volumes.
+/// The measures of a body. Lengths are in the scene's unit. Masses are densities times volumes.
 ///
-/// An empty solid has zeros, and a centroid that is not a number. Of a solid that may be unbounded nothing is measured:
-/// numbers are infinite, or are none.
+/// For an empty solid all numbers are 0, and the centroid is NaN. A solid that may be unbounded is not measured: its
+/// numbers are infinite or NaN.
 struct Measures {
   bool is_bounded = true;
   Measured volume;
@@ -42,15 +42,15 @@ struct Measures {
 };
 
 struct MeasureOptions {
-  double relative_error = 1e-4;       ///< of volumes, error / value
-  double relative_area_error = 1e-3;  ///< of areas, which take more pieces; infinite: any
-  /// The greatest number of pieces of a body, some 500 bytes each; then the bounds are what they are.
+  double relative_error = 1e-4;       ///< for volumes: error / value
+  double relative_area_error = 1e-3;  ///< for areas, which need more pieces; infinite: any error will do
+  /// The greatest number of pieces of a body, some 500 bytes each. If it is reached, the bounds stay as they are.
   std::size_t most_pieces = 4'000'000;
-  /// Asked now and then with a volume's present relative error; true: the bounds that are known by then are the result,
-  /// and Measures::is_as_asked tells if they are as small as asked for. Never asked by two threads at once. May be
-  /// empty.
+  /// Called now and then with a volume's present relative error. If it returns true, the bounds known by then are the
+  /// result, and Measures::is_as_asked tells if they are as small as asked for. Two threads never call it at once. It
+  /// may be empty.
   std::function<bool(double relative_error)> is_enough{};
-  /// To cancel is another thing: then there is no result.
+  /// Cancelling is different: then there is no result.
   ProgressCallback progress{};
 };
 

@@ -15,7 +15,7 @@ struct Moments {
   std::array<double, 6> second{};  ///< xx, yy, zz, xy, xz, yz
 
   static constexpr std::array<std::array<std::size_t, 2>, 6> pair{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
-  /// Where the product of two axes stands in `second`.
+  /// The index in `second` of the product of two axes.
   static constexpr std::size_t of_axes(std::size_t i, std::size_t j) { return i == j ? i : i + j + 2; }
 
   Moments& operator+=(const Moments& other) {
@@ -32,10 +32,10 @@ struct Moments {
   }
 };
 
-/// Of the same set, moved by an offset.
+/// The moments of the same set, moved by an offset.
 Moments moved(const Moments& moments, Vector by);
 
-/// Of the box |d_i| <= half_i.
+/// The moments of the box |d_i| <= half_i.
 Moments box_moments(Vector half);
 
 }  // namespace csgcast::detail

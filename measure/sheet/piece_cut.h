@@ -8,13 +8,15 @@
 
 namespace csgcast::detail {
 
-/// Not in the middle: faces are likely there, and one along a cut is nobody's for sure.
+/// Cuts a piece, but not in the middle: faces are likely there, and a face along a cut belongs to neither side for
+/// certain.
 inline std::pair<Piece, Piece> cut_across(PieceCutter& cutter, const Piece& piece, std::size_t axis) {
   const double low = piece.box.lower[axis];
   return cutter.cut(piece, axis, low + 0.4887 * (piece.box.upper[axis] - low));
 }
 
-/// Across the axis that leaves the fewest surfaces in the halves; across `preferred` if that is as good as any.
+/// Cuts across the axis that leaves the fewest surfaces in the halves. `preferred` is used if it is as good as any
+/// other.
 inline std::pair<Piece, Piece> cut_apart(PieceCutter& cutter, const Piece& piece, std::size_t preferred) {
   const auto surfaces = [](const std::pair<Piece, Piece>& halves) { return halves.first.count + halves.second.count; };
   std::pair<Piece, Piece> best = cut_across(cutter, piece, preferred);

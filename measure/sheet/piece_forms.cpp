@@ -36,7 +36,7 @@ void PieceForms::merge_twins() {
         ++j;
         continue;
       }
-      // The last one takes the free place.
+      // The last one moves to the free place.
       const std::size_t last = --count;
       if (j != last) {
         f[j] = f[last];
@@ -48,7 +48,7 @@ void PieceForms::merge_twins() {
   }
 }
 
-/// Makes plane j plane i as well if they are twins; the table no longer depends on it.
+/// If planes i and j are twins, plane i replaces plane j, and the table no longer depends on j.
 bool PieceForms::merge(std::size_t i, std::size_t j) {
   const double s = dot(f[j].gradient, f[i].gradient) / dot(f[i].gradient, f[i].gradient);
   if (!(std::fabs(s) > 0)) return false;
@@ -61,7 +61,7 @@ bool PieceForms::merge(std::size_t i, std::size_t j) {
   const TruthTable below = value(false, !is_same_way);
   const TruthTable above = value(true, is_same_way);
   const TruthTable between = (value(false, is_same_way) ^ below) | (value(true, !is_same_way) ^ below);
-  if (exceeds(between, below ^ above)) return false;  // a sheet of something, or a gap
+  if (exceeds(between, below ^ above)) return false;  // between the two there is a thin sheet of the solid, or a gap
   table = TruthTable::by(i, below, above);
   f[i].slack += (apart + f[j].slack) / std::fabs(s);
   return true;
@@ -88,7 +88,7 @@ bool PieceForms::surely_hold(Vector d) const {
 }
 
 Range PieceForms::slope_of(const LocalForm& form, std::size_t axis) const {
-  // Of a polynomial of second degree the slope is at most 4 / h times its greatest value (Markov).
+  // The slope of a polynomial of second degree is at most 4 / h times its greatest value (Markov).
   double reach = 4 * form.slack / half[axis];
   for (std::size_t j = 0; j < 3; ++j) reach += std::fabs(bend_along(form, axis, j)) * half[j] * (j == axis ? 2 : 1);
   return {form.gradient[axis] - reach, form.gradient[axis] + reach};

@@ -11,7 +11,7 @@
 
 namespace csgcast::detail {
 
-/// The least and the greatest value of something.
+/// The least and the greatest value of a quantity.
 struct Range {
   double low = 0;
   double high = 0;
@@ -20,28 +20,29 @@ struct Range {
   double half() const { return 0.5 * (high - low); }
 };
 
-/// The surfaces of a piece about the middle of its box.
+/// The surfaces of a piece, about the middle of its box.
 ///
-/// Planes that are nowhere in the box farther apart than they are certain, such as the halves of a square whose corners
-/// were rounded, are one, if the value between them is that on one of their sides: `slack` then covers them all.
+/// Two planes become one if they are nowhere in the box farther apart than their uncertainty, and if the value between
+/// them is the value on one of their sides. For example, these are the halves of a square whose corners were rounded.
+/// `slack` then covers both.
 struct PieceForms {
   PieceForms(const Space& space, const Piece& piece);
 
   std::size_t count = 0;
-  TruthTable table;  ///< as of a piece, over these
+  TruthTable table;  ///< as the table of a piece, but for these surfaces
   Vector middle;
   Vector half;
   std::array<LocalForm, Piece::most_surfaces> f{};
   std::array<bool, Piece::most_surfaces> is_plane{};
-  std::array<std::uint32_t, Piece::most_surfaces> surface{};  ///< SurfaceId, of twins the first
-  bool are_known = true;                                      ///< all of them
+  std::array<std::uint32_t, Piece::most_surfaces> surface{};  ///< SurfaceId; for twins, the first one's
+  bool are_known = true;                                      ///< true if all of them are known
 
   double volume() const { return 8 * half.x * half.y * half.z; }
-  /// What the second-degree terms come to in the box.
+  /// The range of the second-degree terms in the box.
   Range bend_of(const LocalForm& form) const;
-  /// Of the part of a gradient along an axis, of the exact form.
+  /// The range of the gradient's component along an axis, for the exact form.
   Range slope_of(const LocalForm& form, std::size_t axis) const;
-  /// Whether a point of the box, from its middle, is inside for sure.
+  /// True if a point of the box, relative to its middle, is certainly inside.
   bool surely_hold(Vector d) const;
 
  private:
@@ -49,7 +50,7 @@ struct PieceForms {
   bool merge(std::size_t i, std::size_t j);
 };
 
-/// A form at a place, from the middle of its box.
+/// The value of a form at a place, relative to the middle of its box.
 double value_at(const LocalForm& form, Vector d);
 
 /// The coefficient of the product of two axes.

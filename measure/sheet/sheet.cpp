@@ -17,7 +17,7 @@ Sheet::Sheet(const LocalForm& form, Axes axes) : slack_(form.slack) {
   const double discriminant = slope * slope - 4 * a_ * form.value;
   exists_ = slope != 0 && discriminant > 0;
   if (!exists_) return;
-  // Of two roots that at which the slope has the sign that it has in the middle.
+  // This is the root at which the slope has the same sign as in the middle.
   height_ = -2 * form.value / (slope + std::copysign(std::sqrt(discriminant), slope));
   b_ = slope + 2 * a_ * height_;
   c_ = form.value + (slope + a_ * height_) * height_;

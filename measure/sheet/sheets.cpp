@@ -10,37 +10,37 @@
 #include "measure/sheet/estimate.h"
 #include "measure/sheet/gauss.h"
 
-// Pieces whose surfaces are sheets over a rectangle, or upright (docs/measuring.md, "Sheets").
+// This file handles pieces whose surfaces are sheets over a rectangle, or upright (docs/measuring.md, "Sheets").
 
 namespace csgcast::detail {
 namespace {
 
-// What an integral's terms round, relative to the greatest of them.
+// The rounding of an integral's terms, relative to the greatest of them.
 constexpr double rounding = 0x1p-46;
 
-/// A line up a box: runs of it from sheet to sheet. The integral of z^n over what is inside is that of z^n up to its
-/// ends: at the top and bottom of the box, and at sheets, times the steps there.
+/// A vertical line through a box: runs from sheet to sheet. The integral of z^n over the inside is a sum over the ends
+/// of runs: the integral up to the end, times the step there. Ends are the top and bottom of the box, and sheets.
 struct Column {
   struct End {
     const SheetOfPiece* sheet = nullptr;
-    int step = 0;  ///< the value above less that below
+    int step = 0;  ///< the value above less the value below
   };
   std::array<End, Piece::most_surfaces> ends{};
   std::size_t count = 0;
-  int at_top = 0;  ///< the value there
+  int at_top = 0;  ///< the value at the top
   int at_bottom = 0;
 
   std::span<const End> sheets() const { return std::span(ends).first(count); }
 };
 
-/// A side of a strip: a curve, or a side of the rectangle.
+/// A side of a strip: either a curve or a side of the rectangle.
 struct Side {
   const Curve* curve = nullptr;
-  double x = 0;  ///< without a curve
+  double x = 0;  ///< used without a curve
 
   double at(double y) const { return curve != nullptr ? curve->x.height() + curve->x.away_at(y, 0) : x; }
   double middle() const { return curve != nullptr ? curve->x.height() : x; }
-  /// By how much it may be away from the middle for |y| <= reach; nothing if it is not analytic there.
+  /// Bound on its distance from the middle for |y| <= reach. Nothing if it is not analytic there.
   std::optional<double> away(double reach) const {
     if (curve == nullptr) return 0.0;
     const Sheet::Bounds bounds = curve->x.bounds({reach, 0});
@@ -69,7 +69,7 @@ class SheetEstimator {
   Estimate finished() const;
 
   const ColumnLayout& layout_;
-  Moments sums_;  // about the middle, in the order x, y, up
+  Moments sums_;  // about the middle; the axes are in the order x, y, up
   Estimate estimate_;
   Polydisc reach_;
   double z_reach_ = 0;
@@ -88,7 +88,7 @@ std::optional<Estimate> SheetEstimator::operator()() {
   return finished();
 }
 
-/// The strips and walls of a range, from left to right.
+/// Adds the strips and walls of a range, from left to right.
 bool SheetEstimator::add_range(YRange range) {
   const double y = 0.5 * (range.low + range.high);
   std::vector<Side> sides{{nullptr, -hx()}};
@@ -110,8 +110,8 @@ bool SheetEstimator::add_range(YRange range) {
   return true;
 }
 
-/// What the column at a place holds, or, at a wall, where the value differs on its two sides. Nothing if that is not
-/// certain.
+/// The content of the column at a place. At a wall, it is where the value differs on the wall's two sides. Nothing if
+/// that is not certain.
 std::optional<Column> SheetEstimator::column_at(double x, double y, const Curve* wall) const {
   struct Place {
     double z;
@@ -119,7 +119,7 @@ std::optional<Column> SheetEstimator::column_at(double x, double y, const Curve*
   };
   std::array<Place, Piece::most_surfaces + 1> places{};  // in ascending order
   std::size_t count = 0;
-  std::size_t state = 0;  // of sheets, at the bottom
+  std::size_t state = 0;  // the state of the sheets at the bottom
   for (const SheetOfPiece& sheet : layout_.sheets()) {
     const double z = sheet.sheet.height() + sheet.sheet.away_at(x, y);
     const bool is_below = z <= -hz();
@@ -130,7 +130,7 @@ std::optional<Column> SheetEstimator::column_at(double x, double y, const Curve*
     places[at] = {z, &sheet};
   }
   places[count] = {hz(), nullptr};
-  // Between two places. Surfaces without effect may pass anywhere: whatever sign they have then will do.
+  // The value between two places. A surface without effect may pass anywhere, so any sign will do for it.
   const auto value_at = [&](double z) {
     std::size_t all = state;
     for (std::size_t i = 0; i < layout_.forms().count; ++i) {
@@ -154,7 +154,7 @@ std::optional<Column> SheetEstimator::column_at(double x, double y, const Curve*
   return column;
 }
 
-/// False if no ellipse will do.
+/// Returns false if no ellipse is suitable.
 bool SheetEstimator::add_strip(YRange range, const Side& left, const Side& right, const Column& column) {
   if (column.count == 0 && column.at_top == 0) return true;
   if (!add_rule_errors(range, left, right, column)) return false;
@@ -187,8 +187,8 @@ void SheetEstimator::add_column(double x, double y, double w, const Column& colu
                        {x * x * line, y * y * line, line_zz, x * y * line, x * line_z, y * line_z}};
 }
 
-/// By how much the rule may be off over a strip. The integral of z² is off by as much as that of z times the greatest
-/// |z|, and so on: `reach_` and `z_reach_` are the greatest |x|, |y|, |z| for which that holds.
+/// Bounds the error of the rule over a strip. The error of the integral of z² is at most that of z times the greatest
+/// |z|, and so on. `reach_` and `z_reach_` are the greatest |x|, |y|, |z| for which that is valid.
 bool SheetEstimator::add_rule_errors(YRange range, const Side& left, const Side& right, const Column& column) {
   const bool is_rectangle = left.curve == nullptr && right.curve == nullptr;
   const double half_height = 0.5 * (range.high - range.low);
@@ -204,7 +204,7 @@ bool SheetEstimator::add_rule_errors(YRange range, const Side& left, const Side&
     if (!left_away || !right_away) continue;
     const double half_width = 0.5 * (std::fabs(right.middle() - left.middle()) + *left_away + *right_away);
     r.x = 0.5 * (std::fabs(right.middle() + left.middle()) + *left_away + *right_away) + stretch * half_width;
-    // Over a rectangle what does not depend on x and y is integrated exactly.
+    // Over a rectangle, terms that do not depend on x and y are integrated exactly.
     double height = is_rectangle ? 0 : (column.at_top + column.at_bottom) * hz();
     double area_factor = 0;
     double z = hz();
@@ -234,7 +234,7 @@ bool SheetEstimator::add_rule_errors(YRange range, const Side& left, const Side&
   return true;
 }
 
-/// The faces of an upright surface: along a curve, where the column says that the value changes.
+/// Adds the faces of an upright surface along a curve, where the column says that the value changes.
 bool SheetEstimator::add_wall(YRange range, const Curve& curve, const Column& column) {
   if (column.count == 0 && column.at_top == 0) return true;
   const double half_height = 0.5 * (range.high - range.low);
@@ -253,7 +253,7 @@ bool SheetEstimator::add_wall(YRange range, const Curve& curve, const Column& co
       height += std::fabs(end->sheet.height()) + bounds.away;
     }
     if (!is_analytic) continue;
-    // Half the range's length times what is off in one direction.
+    // This is half the range's length times the error in one direction.
     least = std::fmin(least, half_height * Gauss::error(rho) * height * *gradient / std::sqrt(along.discriminant));
   }
   if (!std::isfinite(least)) return false;
@@ -269,14 +269,14 @@ bool SheetEstimator::add_wall(YRange range, const Curve& curve, const Column& co
   return true;
 }
 
-/// What the forms may be off moves sheets and curves, and turns them; sums round.
+/// Adds the errors of the forms, which move and turn sheets and curves, and the rounding of sums.
 void SheetEstimator::add_slacks() {
   const double projection = 4 * hx() * hy();
   const double least_side = std::fmin(hx(), std::fmin(hy(), hz()));
-  // Of a polynomial of second degree the slope is at most 4 / h times its greatest value (Markov).
+  // The slope of a polynomial of second degree is at most 4 / h times its greatest value (Markov).
   const double markov = 4 * std::sqrt(3.0) / least_side;
-  double steepest = 0;  // area by its projection, summed over the sheets
-  double lifted = 0;    // what sheets may be displaced
+  double steepest = 0;  // the ratios of area to projected area, summed over the sheets
+  double lifted = 0;    // the displacement of the sheets
   for (const auto& [surface, sheet, least_slope] : layout_.sheets()) {
     const double displaced = sheet.slack() / least_slope;
     const double steep = sheet.greatest_gradient({hx(), hy()}, std::fabs(sheet.height()) + hz()) / least_slope;
@@ -319,7 +319,7 @@ Estimate SheetEstimator::finished() const {
 }  // namespace
 
 std::optional<Estimate> sheet_estimate(const PieceForms& forms) {
-  // The axis along which the surfaces are most nearly level first.
+  // The axis along which the surfaces are most nearly level comes first.
   std::array<double, 3> level{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   for (std::size_t i = 0; i < forms.count; ++i) {
     const Vector g = forms.f[i].gradient;

@@ -10,27 +10,28 @@
 
 namespace csgcast::detail {
 
-/// Corners 1, 2, 3 are anticlockwise as seen from corner 0's far side: the volume is positive, but for rounding. What
-/// is cut stays so, which makes sums right even where rounding folds slivers over.
+/// Corners 1, 2, 3 are anticlockwise as seen from the far side of corner 0. The volume is positive, up to rounding.
+/// Parts that are cut off keep that order, so sums are correct even where rounding folds slivers over.
 using Tetrahedron = std::array<Vector, 4>;
 using Triangle = std::array<Vector, 3>;
 
 /// Five tetrahedra that fill the box |d_i| <= half_i: one about every second corner, and the one that these leave.
 std::array<Tetrahedron, 5> tetrahedra_of_box(Vector half);
 
-/// An order of places, so that neighbours who share some do the same with them.
+/// An order of places. By it, neighbours that share places treat them alike.
 inline bool comes_before(Vector a, Vector b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
 
-/// The zero between two points of a function that is linear from one to the other: the same whichever is named first.
+/// The zero between two points of a function that is linear between them. The result does not depend on the order of
+/// the points.
 inline Vector zero_between(Vector a, Vector b, double at_a, double at_b) {
   if (comes_before(b, a)) return zero_between(b, a, at_b, at_a);
   return a + (at_a / (at_a - at_b)) * (b - a);
 }
 
-/// Calls `add(tetrahedron)` for each of three that fill what lies between two triangles with corresponding corners,
-/// each turned round if the wedge is. The sides are cut along diagonals from their first corners, in the order of
-/// places, so that two wedges on one side fit together (Dompierre et al. 1999, How to subdivide pyramids, prisms and
-/// hexahedra).
+/// Calls `add(tetrahedron)` for each of three tetrahedra that fill the wedge between two triangles with corresponding
+/// corners. If the wedge is turned round, so are they. The sides are cut along diagonals from their first corners, in
+/// the order of places, so that two wedges on one side fit together (Dompierre et al. 1999, How to subdivide pyramids,
+/// prisms and hexahedra).
 template <class Add>
 void add_wedge(Triangle a, Triangle b, bool is_turned, Add&& add) {
   const auto first_of = [](const Triangle& t) {
@@ -59,14 +60,14 @@ void add_wedge(Triangle a, Triangle b, bool is_turned, Add&& add) {
   emit(a[0], b[0], b[1], b[2]);
 }
 
-/// What a plane makes of a tetrahedron: `below(tetrahedron)` and `above(tetrahedron)` for the parts where a linear
-/// function is negative, and is not, `face(triangle)` for the cut, anticlockwise as seen from above. `at`: the function
-/// at the corners.
+/// Cuts a tetrahedron by a plane, on which a linear function is zero. Calls `below(tetrahedron)` for parts where the
+/// function is negative, `above(tetrahedron)` for the other parts, and `face(triangle)` for the cut, anticlockwise as
+/// seen from above. `at` has the function's values at the corners.
 template <class Below, class Above, class Face>
 void cut(const Tetrahedron& t, const std::array<double, 4>& at, Below&& below, Above&& above, Face&& face) {
-  std::array<std::size_t, 4> order{};  // the corners below first
+  std::array<std::size_t, 4> order{};  // the corners below come first
   std::size_t count = 0;
-  bool is_odd = false;  // as a permutation
+  bool is_odd = false;  // true if the permutation is odd
   for (std::size_t i = 0; i < 4; ++i) {
     if (!(at[i] < 0)) continue;
     is_odd = is_odd != ((i - count) % 2 != 0);
@@ -90,7 +91,8 @@ void cut(const Tetrahedron& t, const std::array<double, 4>& at, Below&& below, A
     add_face(p02, p13, p12);
     return;
   }
-  // One corner is alone on its side: the first, or the last, which an even number of steps does not bring to the front.
+  // One corner is alone on its side: the first or the last one. An even number of steps cannot bring the last to the
+  // front.
   const std::size_t alone = count == 1 ? 0 : 3;
   const std::size_t first = count == 1 ? 1 : 0;
   const bool is_turned = is_odd != (count == 3);

@@ -37,7 +37,7 @@ LayerCells::LayerCells(const Scene& scene)
   for (const Layer& layer : scene.layers()) layers_.emplace_back(scene, layer.node);
 }
 
-// One ray as arrays.
+// One ray in the form of arrays.
 struct LayerCaster::Query {
   Query(const Ray& of, const std::optional<Departure>& from, double until, const Frame& frame)
       : ray(of), departure(from), end(until), unit(std::ldexp(1, frame.exponent) / longest(of.direction())) {
@@ -69,9 +69,9 @@ struct LayerCaster::Query {
   std::uint32_t surface = 0;
   std::uint8_t is_positive = 0;
   double end;
-  double unit;  // the frame's, in t
+  double unit;  // the frame's unit, in t
   PacketCaster::RayPointers pointers;
-  bool is_begun = false;  // by the caster
+  bool is_begun = false;  // true if the caster has begun the ray
 };
 
 LayerCaster::LayerCaster(const LayerCells& cells, Caster& caster, std::string_view instructions)
@@ -120,7 +120,8 @@ void LayerCaster::meet(std::size_t layer, const Query& query) {
                   comes_positive != 0 ? Sense::positive : Sense::negative};
 }
 
-// By far more than what lanes' events, below 2^-32 in the frame, and rounding move t.
+// The two must differ by far more than t may move by the errors of lanes' events, below 2^-32 in the frame, and by
+// rounding.
 bool LayerCaster::far_apart(const Crossing& a, const Crossing& b, const Query& query) const {
   const double margin = 0x1p-28 * query.unit + 0x1p-48 * (std::fabs(a.t) + std::fabs(b.t));
   return std::fabs(a.t - b.t) > margin;
@@ -160,7 +161,7 @@ LayerCaster::Outcome LayerCaster::look(const Ray& ray, const std::optional<Depar
   }
   const std::size_t to = holder();
   if (to == from || detail::same_medium(scene_, from, to)) return Outcome::open;
-  // As in each_change.
+  // This is the same rule as in each_change.
   const bool enters = to != detail::no_layer && meetings_[to].hits;
   const std::size_t layer = enters ? to : from;
   const Meeting& told = meetings_[layer];

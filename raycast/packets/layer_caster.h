@@ -15,10 +15,10 @@
 
 namespace csgcast {
 
-/// The cells of each layer of a scene that transmits. Read-only once they are made.
+/// The cells of each layer of a scene that transmits light. They are read-only once they are made.
 class LayerCells {
  public:
-  /// Whether there are few enough layers for a ray to ask them all.
+  /// True if there are few enough layers for a ray to ask them all.
   static bool suits(const Scene& scene);
 
   /// The scene must outlive the cells. Precondition: suits().
@@ -26,7 +26,7 @@ class LayerCells {
 
   const Scene& scene() const { return *scene_; }
   const std::vector<Cells>& layers() const { return layers_; }
-  /// Whether all that a region is made of looks like it; of all regions.
+  /// True if everything in a region looks like the region. It is known for all regions.
   bool looks_even(RegionId region) const { return even_looks_[region.index()] != 0; }
   bool all_look_even() const { return all_look_even_; }
 
@@ -37,45 +37,46 @@ class LayerCells {
   bool all_look_even_;
 };
 
-/// Finds the first change of medium on a ray by the cells of the layers: the first one of Caster::interfaces, and the
-/// face there, bit for bit. The working memory of one thread.
+/// Finds the first change of medium on a ray by the cells of the layers. The result is the first one of
+/// Caster::interfaces, and the face there, bit for bit. The object is the working memory of one thread.
 class LayerCaster {
  public:
-  /// Both must outlive it. `caster`, of the same scene, is asked which of two crossings that are close comes first.
-  /// `instructions`: as of a PacketCaster.
+  /// Both must outlive it. `caster` must be of the same scene. It decides which of two close crossings comes first.
+  /// `instructions` are those of a PacketCaster.
   LayerCaster(const LayerCells& cells, Caster& caster, std::string_view instructions = {});
 
   const LayerCells& cells() const { return cells_; }
 
   enum class Outcome : std::uint8_t {
     none,   ///< the ray meets no boundary of a layer
-    found,  ///< change() and face() tell of it
-    open,   ///< the first boundary of a layer changes nothing that a ray sees: Caster::interfaces has to be asked
+    found,  ///< change() and face() describe it
+    open,   ///< the first boundary of a layer changes nothing that a ray sees; call Caster::interfaces
   };
   Outcome look(const Ray& ray, const std::optional<Departure>& departure);
   const Interface& change() const { return change_; }
-  /// Without its leaf, region and part: these are not asked for.
+  /// The face there. Its leaf, region and part are not set.
   const Attribution& face() const { return face_; }
 
-  /// All changes in [0, end), Caster::interfaces, and what their faces show. The vectors are overwritten.
+  /// Finds all changes in [0, end), as Caster::interfaces does, and the looks of their faces. The vectors are
+  /// overwritten.
   void look_through(const Ray& ray, const std::optional<Departure>& departure, double end,
                     std::vector<Interface>& changes, std::vector<LookId>& looks);
 
   PacketCounts counts() const;
-  /// What the rays cost that lanes could not decide.
+  /// The work done for rays that lanes could not decide.
   CasterCounts caster_counts() const;
 
  private:
   struct Query;
 
-  // What the ray meets first of a layer.
+  // What the ray meets first in a layer.
   struct Meeting {
     Crossing crossing;
     Attribution face;
     bool hits = false;
     bool enters = false;
-    bool is_inside = false;   // at the start; then, after what it meets first
-    bool is_certain = false;  // t is as certain as those of lanes
+    bool is_inside = false;   // at the start; later, after the first end that it meets
+    bool is_certain = false;  // true if t is as certain as those of lanes
   };
 
   void meet(std::size_t layer, const Query& query);

@@ -21,7 +21,7 @@ void on_threads(int threads, const std::function<void()>& work) {
   CSGCAST_PRECONDITION(threads >= 0);
   if (threads == 0) return work();
   const int count = std::min(threads, most_threads);
-  // More threads than cores need leave; fewer are the arena's own business.
+  // More threads than cores need permission from oneTBB. For fewer, the arena's own limit is enough.
   std::optional<tbb::global_control> more;
   if (count > tbb::info::default_concurrency())
     more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));

@@ -10,8 +10,8 @@
 
 namespace csgcast::detail {
 
-/// The convex hull of the points inserted so far: a closed triangle mesh in which every face knows its neighbours, and
-/// every point still to come that is outside knows one face that it sees.
+/// The convex hull of the points inserted so far. It is a closed triangle mesh in which every face knows its
+/// neighbours. Every point that is still to come and lies outside knows one face that it sees.
 ///
 /// A point sees a face if it is strictly on its outer side. Faces in whose plane a new point lies are kept: the new
 /// triangles continue them. So the seen faces always form a disc (they are those seen from a point moved a little
@@ -23,7 +23,8 @@ class HullBuilder {
  public:
   explicit HullBuilder(std::span<const Point> points);
 
-  /// Begins with a tetrahedron of the first points in this order that span one. False if all lie in one plane.
+  /// Begins with a tetrahedron of the first points in this order that span one. Returns false if all points lie in one
+  /// plane.
   bool start(std::span<const std::uint32_t> order);
   /// Adds one point. Precondition: started.
   void insert(std::uint32_t point);
@@ -36,12 +37,12 @@ class HullBuilder {
   struct Face {
     HullTriangle vertex{};                 // counter-clockwise from outside
     std::array<FaceIndex, 3> neighbour{};  // across the edge from vertex[i] to vertex[i + 1]
-    std::vector<std::uint32_t> conflicts;  // points still to come that see this face and are filed here
+    std::vector<std::uint32_t> conflicts;  // points still to come that see this face and are listed here
     bool alive = true;
-    std::uint32_t seen_by = none;  // the last inserted point that saw it
+    std::uint32_t seen_by = none;  // the last inserted point that saw this face
   };
 
-  // An edge between a face that the new point sees and one that it does not, as the unseen one's neighbour has it.
+  // An edge between a face that the new point sees and one that it does not see, as stored in the unseen face.
   struct HorizonEdge {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
@@ -58,9 +59,9 @@ class HullBuilder {
 
   std::span<const Point> points_;
   std::vector<Face> faces_;
-  std::vector<FaceIndex> conflict_;  // of each point: a face that it sees, or none
+  std::vector<FaceIndex> conflict_;  // by point: a face that it sees, or none
   std::vector<FaceIndex> free_;      // dead faces to use again
-  // Of the present insertion:
+  // These are used during one insertion:
   std::vector<FaceIndex> seen_;
   std::vector<HorizonEdge> horizon_;  // a cycle, counter-clockwise seen from the new point
   std::vector<FaceIndex> cone_;

@@ -44,7 +44,7 @@ int orientation(Point a, Point b, Point c, Point d) {
   if (largest <= 0x1p300) {  // false for NaN, too
     if (determinant > bound) return 1;
     if (determinant < -bound) return -1;
-    // A difference is 0 only if it is exactly 0: points in a common axis-aligned plane need no exact arithmetic.
+    // A difference is 0 only if it is exactly 0. So points in a common axis-aligned plane need no exact arithmetic.
     if ((u.x == 0 && v.x == 0 && w.x == 0) || (u.y == 0 && v.y == 0 && w.y == 0) || (u.z == 0 && v.z == 0 && w.z == 0))
       return 0;
   }

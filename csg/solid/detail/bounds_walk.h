@@ -17,10 +17,10 @@
 
 namespace csgcast::detail {
 
-/// One walk over a tree, bottom up, that finds the box of every node in world coordinates. A node that is met again
-/// under the same composed transform is not walked again. Where exact composition would cost too much (thousands of
-/// nested transforms), the box of what is below is moved instead of the leaves: looser, but the cost of a level stays
-/// the same.
+/// Finds the box of every node in world coordinates, in one walk over a tree from the bottom up. A node that is met
+/// again under the same composed transform is not walked again. If exact composition would cost too much (thousands of
+/// nested transforms), the box of the solids below is moved instead of the leaves. This is looser, but the cost of a
+/// level stays the same.
 class BoundsWalk {
  public:
   BoundsWalk();
@@ -29,12 +29,12 @@ class BoundsWalk {
  private:
   struct Composed {
     ExactAffine world_from_solid;
-    std::uint64_t name = 0;  // never used again, unlike its place in the stack
+    std::uint64_t name = 0;  // unlike its place in the stack, this number is never used again
   };
   struct Level {
     Box box;  // of the children so far
     bool intersects = false;
-    bool moves_box = false;  // a transform that was not composed with those around it
+    bool moves_box = false;  // true for a transform that was not composed with those around it
     std::size_t outer = 0;   // the composed transform around the node, in composed_
 
     void add(const Box& child) { box = intersects ? intersection(box, child) : hull(box, child); }
@@ -53,10 +53,10 @@ class BoundsWalk {
   Box leave(const Solid& solid, const Level& level);
 
   std::vector<Composed> composed_;  // the first is the identity
-  std::size_t present_ = 0;         // the one that leaves are now under
+  std::size_t present_ = 0;         // the index of the transform that leaves are now under
   std::uint64_t last_name_ = 0;
-  std::unordered_set<const void*> entered_;  // transforms met so far
-  std::size_t repetitions_ = 0;              // met again, under another transform
+  std::unordered_set<const void*> entered_;  // the transforms met so far
+  std::size_t repetitions_ = 0;              // the number of transforms that were met again, under another transform
   std::unordered_map<Key, Box, KeyHash> boxes_;
 };
 

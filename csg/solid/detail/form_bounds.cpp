@@ -69,7 +69,7 @@ struct Extent {
   double upper = infinity;
 };
 
-// Where alpha t² + 2 beta t + gamma <= 0, rounded outward; nothing if nowhere.
+// The range in which alpha t² + 2 beta t + gamma <= 0, rounded outward. Nothing if there is none.
 std::optional<Extent> solution_hull(const Dyadic& alpha, const Dyadic& beta, const Dyadic& gamma) {
   if (alpha.sign() < 0) return Extent{};
   if (alpha.is_zero()) {

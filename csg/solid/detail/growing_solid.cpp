@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Solid::Kind;
 
-// What a child does to the operator by being empty or everything.
+// True if an empty or full child changes nothing in the operator.
 bool changes_nothing(Kind op, std::size_t index, const GrowingSolid& child) {
   if (op == Kind::intersect) return child.is(Kind::everything);
   return child.is(Kind::empty) && (op == Kind::unite || index > 0);
@@ -24,7 +24,7 @@ bool decides_all(Kind op, std::size_t index, const GrowingSolid& child) {
   return child.is(Kind::everything);
 }
 
-// The operator that a child must be to hand its own children to the parent.
+// The operator of a child that may hand its own children to the parent.
 Kind splices_from(Kind op) { return op == Kind::subtract ? Kind::unite : op; }
 
 Solid made(Kind op, std::vector<Solid> children) {
@@ -66,7 +66,7 @@ void GrowingSolid::append(const Solid& origin, std::size_t index, GrowingSolid c
   is_absorbed_ = decides;
 }
 
-// Goes on from a first child of the same operator; any other becomes the first of a new list.
+// Continues from a first child with the same operator. Any other child becomes the first of a new list.
 void GrowingSolid::open_as(const Solid& origin) {
   if (!opens_as(origin.kind())) {
     Solid first = std::move(*this).finished();
@@ -82,7 +82,7 @@ void GrowingSolid::open_as(const Solid& origin) {
 
 void GrowingSolid::close(const Solid& origin) {
   const bool is_union = origin.kind() == Kind::unite;
-  if (!is_started_) {  // every child was neutral
+  if (!is_started_) {  // every child changed nothing
     *this = GrowingSolid(is_union ? Solid() : Solid::everything(), false);
   } else if (is_absorbed_ && !has_part_) {
     *this = GrowingSolid(is_union ? Solid::everything() : Solid(), false);

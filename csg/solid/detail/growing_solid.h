@@ -8,11 +8,11 @@
 
 namespace csgcast::detail {
 
-/// A simplified solid that its parent may still take apart: a Boolean operator stays an open list until it is known
-/// that the parent is not the same operator, so flattening a chain of any shape costs time linear in its length.
-/// Complements are kept aside, so two cancel.
+/// A simplified solid that its parent may still take apart. A Boolean operator stays an open list until it is known
+/// that the parent is not the same operator. So flattening a chain of any shape takes time linear in its length.
+/// Complements are kept separately, so that two cancel.
 ///
-/// A named part is never dropped: where one is below, nothing is absorbed.
+/// A named part is never dropped. If one is below, nothing is absorbed.
 class GrowingSolid {
  public:
   GrowingSolid() = default;  ///< the empty solid
@@ -23,11 +23,11 @@ class GrowingSolid {
   /// True if this is a finished solid of that kind.
   bool is(Solid::Kind kind) const { return !is_open_ && !negated_ && solid_.kind() == kind; }
 
-  /// The next child of the Boolean operator that grows into this solid. Children come in order; one that changes
-  /// nothing is dropped. Precondition: `origin` is the node of that operator, `index` the child's place in it; it
-  /// outlives this.
+  /// Appends the next child of the Boolean operator that grows into this solid. Children come in order; a child that
+  /// changes nothing is dropped. Preconditions: `origin` is the node of that operator and outlives this, and `index` is
+  /// the child's place in it.
   void append(const Solid& origin, std::size_t index, GrowingSolid child);
-  /// After the last child: what absorbs all else takes over.
+  /// Call this after the last child. If one child absorbs all others, it takes over.
   void close(const Solid& origin);
   /// The complement; `origin` is the node that asks for it and outlives this.
   GrowingSolid complemented(const Solid& origin) &&;
@@ -43,8 +43,8 @@ class GrowingSolid {
   std::list<Solid> children_;  // if open: of an operator of this kind
   Solid::Kind kind_ = Solid::Kind::unite;
   bool is_open_ = false;
-  bool is_started_ = false;   // a child was appended
-  bool is_absorbed_ = false;  // so was one that decides the result
+  bool is_started_ = false;   // true if a child was appended
+  bool is_absorbed_ = false;  // true if a child decided the result
   bool negated_ = false;
   bool has_part_ = false;
   const Solid* origin_ = nullptr;             // of the open operator

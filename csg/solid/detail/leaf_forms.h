@@ -9,21 +9,21 @@
 #include "csg/solid/leaf_shape.h"
 #include "csg/solid/solid.h"
 
-// What the makers of leaves share.
+// The functions that the makers of leaves share.
 
 namespace csgcast::detail {
 
-/// Throws Error(bad_value) that names the statement unless all numbers are finite.
+/// Throws Error(bad_value) with the statement's name unless all numbers are finite.
 void require_finite(const std::string& statement, std::initializer_list<double> numbers);
 
-/// n . p - distance, which is <= 0 inside. Throws Error(bad_value) that names the statement if n = 0. Precondition:
-/// finite numbers.
+/// The form n . p - distance, which is <= 0 inside. Throws Error(bad_value) with the statement's name if n = 0.
+/// Precondition: the numbers are finite.
 QuadricForm plane_form(const std::string& statement, Vector normal, double distance);
 
-/// The half-space where a plane form, whose coefficients are the numbers given, is <= 0.
+/// The half-space where a plane form is <= 0. The form's coefficients must be the numbers that were given.
 LeafShape halfspace_shape(QuadricForm plane);
 
-/// Each coefficient known to half an ulp.
+/// The error if each coefficient is known to half an ulp.
 FormError coefficient_error(const QuadricForm& form);
 
 struct FormWithError {
@@ -31,9 +31,9 @@ struct FormWithError {
   FormError error;
 };
 
-/// Gives the shape one canonical copy of each set f <= 0 among the forms (proportional by a positive factor: the same,
-/// the least error is kept), in a fixed order; errors are about shape.error.center. Precondition: none of them is
-/// constant.
+/// Sets the forms of the shape, in a fixed order. Forms that are proportional by a positive factor describe the same
+/// set f <= 0; one canonical copy of them is kept, with the least error. Errors are about shape.error.center.
+/// Precondition: none of the forms is constant.
 void set_forms(LeafShape& shape, const std::vector<FormWithError>& forms);
 
 }  // namespace csgcast::detail

@@ -25,7 +25,7 @@ mpq_class rational(const Dyadic& integer) {
   return mpq_class(integer.mantissa() << static_cast<mp_bitcnt_t>(integer.exponent()));
 }
 
-// Precondition: canonical forms up to sign, so that all coefficients are integers.
+// Precondition: the forms are canonical up to sign, so that all coefficients are integers.
 Program program_of(std::span<const QuadricForm> planes) {
   Program program;
   for (const QuadricForm& f : planes) {
@@ -48,10 +48,10 @@ std::int64_t largest_magnitude(std::span<const QuadricForm> planes) {
   return bits;
 }
 
-// The extent along axis * sense: an upper bound of sense * coordinate.
+// The extent along axis * sense, as an upper bound of sense * coordinate.
 struct Reach {
-  mpq_class vertex;  // no extreme point and no optimum of a bounded program is as far from the origin
-  mpq_class box;     // an unbounded program confined to this box still gets beyond `vertex`
+  mpq_class vertex;  // every extreme point, and every optimum of a bounded program, is nearer to the origin
+  mpq_class box;     // an unbounded program that is confined to this box still gets beyond `vertex`
 };
 
 // With integer coefficients below 2^b, Cramer's rule gives the coordinates of some optimal point as quotients of
@@ -63,7 +63,7 @@ Reach reach_of(std::int64_t b) {
   return {power(3 * b + 3), power(5 * b + 7)};
 }
 
-// The largest sense * coordinate, rounded up; nothing if the polyhedron is empty.
+// The largest sense * coordinate, rounded up. Nothing if the polyhedron is empty.
 std::optional<double> farthest(const Program& program, std::size_t axis, int sense, const Reach& reach) {
   std::array<mpq_class, 3> objective;
   objective[axis] = sense;

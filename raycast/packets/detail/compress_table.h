@@ -7,7 +7,8 @@
 
 namespace csgcast::detail {
 
-/// For each set of eight lanes, a bit each, which ones are in it, the lowest first; 0 behind the last.
+/// For each set of eight lanes, given by one bit each: the numbers of the lanes in the set, the lowest first, then
+/// zeros.
 using CompressTable = std::array<std::array<std::uint8_t, 8>, 256>;
 
 constexpr CompressTable make_compress_table() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where one line crosses many spheres, a sphere a lane, and a brick, an axis a lane. Compiled once for each
-// instruction set, by lanes.cpp.
+// Computes where one line crosses many spheres, with a sphere in each lane, and where it crosses a brick, with an axis
+// in each lane. Compiled once for each instruction set, by lanes.cpp.
 #if defined(CSGCAST_LANE_BALLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_BALLS_INL_H
 #undef CSGCAST_LANE_BALLS_INL_H
@@ -27,7 +27,7 @@ struct Columns {
   V c[4];
 };
 
-/// Four numbers from each lane's place in memory, each place 16 bytes aligned.
+/// Loads four numbers from each lane's place in memory. Each place must be 16 bytes aligned.
 template <class D>
 HWY_INLINE Columns<hh::Vec<D>> columns_of(D d, const double* const* rows) {
 #if HWY_TARGET == HWY_SCALAR
@@ -58,7 +58,7 @@ HWY_INLINE Columns<hh::Vec<D>> columns_of(D d, const double* const* rows) {
 #endif
 }
 
-/// A line, the same in all lanes, as spheres ask for it.
+/// A line, the same in all lanes, as needed for spheres.
 struct BallLine {
   using V = hh::Vec<SlotLanes>;
   Triples<V> near, direction;
@@ -70,7 +70,7 @@ struct BallLine {
         inverse_squared(hh::Set(SlotLanes(), line.inverse_squared)) {}
 };
 
-/// What a line does with the spheres of some slots.
+/// The crossings of a line with the spheres of some slots.
 struct BallRow {
   using V = hh::Vec<SlotLanes>;
   using M = hh::Mask<SlotLanes>;
@@ -79,14 +79,14 @@ struct BallRow {
   M outside_is_positive;
 };
 
-/// `slots`: one a lane.
+/// `slots` has one slot for each lane.
 HWY_INLINE BallRow ball_row(const BallLine& line, const Slot* const* slots) {
   const SlotLanes d;
   const double* rows[8];
   const double* more[8];
   for (std::size_t i = 0; i < hh::Lanes(d); ++i) {
     rows[i] = slots[i]->c.data();
-    more[i] = slots[i]->c.data() + 2;  // its last two numbers come with two known ones
+    more[i] = slots[i]->c.data() + 2;  // its last two numbers are loaded together with two known ones
   }
   const auto k = columns_of(d, rows);
   const auto m = columns_of(d, more);
@@ -96,13 +96,13 @@ HWY_INLINE BallRow ball_row(const BallLine& line, const Slot* const* slots) {
           hh::Gt(m.c[3], hh::Zero(d))};
 }
 
-/// Where a line comes into a brick and leaves it.
+/// The stretch of a line that is in a brick.
 struct BrickCrossings {
   double enters, leaves;
-  unsigned enters_by, leaves_by;  ///< a bit for each axis along whose planes it may
+  unsigned enters_by, leaves_by;  ///< one bit for each axis whose planes the line may enter or leave by
 };
 
-/// `apart`: so far apart events are in order.
+/// Events at least `apart` from each other are certain to be in order.
 HWY_INLINE BrickCrossings brick_crossings(const LineLanes<hn::Single<double>>& line, const Brick& brick, double apart) {
   const SlotLanes d;
   using V = hh::Vec<SlotLanes>;

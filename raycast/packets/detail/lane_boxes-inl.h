@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The few conjunctions that lines may meet, from a hierarchy of boxes. Compiled once for each instruction set, by
+// Finds the few conjunctions that lines may meet, in a hierarchy of boxes. Compiled once for each instruction set, by
 // lanes.cpp.
 #if defined(CSGCAST_LANE_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_BOXES_INL_H
@@ -20,14 +20,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
-/// What holds all lines of some lanes: where they are near the frame's center, the inverses of their directions, and
-/// where they start and end. Rounded outward; their directions have one sign on each axis.
+/// Bounds, rounded outward, of all lines in some lanes: where they are near the frame's center, the inverses of their
+/// directions, and where they start and end. On each axis the directions must have the same sign.
 struct Beam {
-  float front[3], back[3];  ///< what to take from the sides of boxes where lines come in and leave; of a single line
-                            ///< `front` alone, and times its inverse
+  float front[3], back[3];  ///< subtracted from the sides of boxes where lines enter and leave; a single line uses only
+                            ///< `front`, multiplied by its inverse
   float inverse_low[3], inverse_high[3];
   float from, to;
-  unsigned falls;  ///< the axes along which they do
+  unsigned falls;  ///< the axes along which the lines fall, one bit each
 };
 
 HWY_INLINE float rounded_down(double x) { return static_cast<float>(x - std::fabs(x) * 0x1p-23); }
@@ -55,11 +55,11 @@ template <class D>
 HWY_INLINE void set_beam(D d, const LineLanes<D>& line, hn::Mask<D> lanes, unsigned falls, hn::Vec<D> from,
                          hn::Vec<D> to, Beam& beam) {
   const hn::Vec<D> near[3] = {line.walk_near.x, line.walk_near.y, line.walk_near.z};
-  // A line across an axis stays on its side of every box for as long as anybody looks.
+  // A line that is square to an axis stays on its side of every box within the range that matters.
   constexpr double most = 1e30;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if constexpr (hn::is_single<D>) {
-      // Rounded to nearest, which moves a box by 2^-20 at most: its widening is for that.
+      // The inverse is rounded to nearest. That moves a box by 2^-20 at most, which the widening of boxes covers.
       const double inverse = line.axis_inverse[axis];
       const double bounded = inverse < -most ? -most : inverse > most ? most : inverse;
       beam.front[axis] = static_cast<float>(near[axis] * bounded);
@@ -81,18 +81,18 @@ HWY_INLINE void set_beam(D d, const LineLanes<D>& line, hn::Mask<D> lanes, unsig
   beam.falls = falls;
 }
 
-/// What a beam has met: nodes, first come, first served, so that the next one seldom waits for what this one's boxes
-/// say, and conjunctions.
+/// The nodes and conjunctions that a beam has met. Nodes are visited in the order in which they were met, so that the
+/// next node seldom waits for the result of this node's boxes.
 struct Met {
   static constexpr std::size_t most_nodes = 256;
 
-  // Whole nodes are written at once.
+  // A whole node's children are written at once.
   std::uint32_t nodes[most_nodes + BoxNode::width];
   std::uint32_t conjunctions[Cell::most_slots + 2 * BoxNode::width];
   std::size_t node_count;
   std::size_t conjunction_count;
 
-  /// Takes those out that are balls: how many there are, and behind them some more of the same.
+  /// Takes the balls out, and returns their number. Behind the last ball, `balls` is filled up with repeats.
   HWY_INLINE std::size_t take_balls(std::uint32_t* balls) {
     const hh::CappedTag<std::uint32_t, 8> d;
     const auto ball = hh::Set(d, BoxNode::ball);
@@ -111,9 +111,9 @@ struct Met {
   }
 };
 
-/// Adds those of a node's boxes that some line of the beam may meet. What rounding moves by less than `widening`
-/// (box_tree.cpp), in space, does not matter: 2^-21 for a place and as much for its product, as nothing is farther than
-/// 8 from another.
+/// Adds those of a node's boxes that some line of the beam may meet. Rounding may move them in space by less than
+/// `widening` (box_tree.cpp): by 2^-21 for a place and as much for its product, because no two places are farther than
+/// 8 apart.
 template <bool is_single>
 HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met, std::size_t& node_count,
                           std::size_t& conjunction_count) {
@@ -140,7 +140,7 @@ HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met, std::
         leaves = hh::Min(leaves, hh::Max(hh::Mul(back, low), hh::Mul(back, high)));
       }
     }
-    // Which boxes are met, and what is in them, nobody could foresee: no branches.
+    // It is unpredictable which boxes are met and what they contain, so there are no branches.
     const auto child = hh::Load(ids, node.child + first);
     const auto is_met = hh::RebindMask(ids, hh::Le(enters, leaves));
     const auto is_node = hh::Lt(child, hh::Set(ids, BoxNode::conjunction));
@@ -149,11 +149,12 @@ HWY_INLINE void add_boxes(const BoxNode& node, const Beam& beam, Met& met, std::
   }
 }
 
-/// Finds the conjunctions whose boxes the beam meets, as BoxNode::child has them; false if there are too many.
+/// Finds the conjunctions whose boxes the beam meets, in the form of BoxNode::child. Returns false if there are too
+/// many.
 template <bool is_single>
 HWY_INLINE bool find_conjunctions(const BoxTree& tree, const Beam& beam, Met& met) {
   met.nodes[0] = 0;
-  std::size_t node_count = 1;  // these stay in registers
+  std::size_t node_count = 1;  // these variables stay in registers
   std::size_t conjunction_count = 0;
   const BoxNode* const nodes = tree.nodes.data();
   for (std::size_t next = 0; next < node_count; ++next) {

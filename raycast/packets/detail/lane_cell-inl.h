@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where lines cross the surfaces of a cell, a ray a lane. Compiled once for each instruction set, by lanes.cpp.
+// Computes where lines cross the surfaces of a cell, with a ray in each lane. Compiled once for each instruction set,
+// by lanes.cpp.
 #if defined(CSGCAST_LANE_CELL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_CELL_INL_H
 #undef CSGCAST_LANE_CELL_INL_H
@@ -22,8 +23,8 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// Far from the frame's cube planes are off by more: what is off their slope counts by the way there. All that is
-/// loose is left to the caster.
+/// Far from the frame's cube the error of a plane's event is larger: the error of the slope counts in proportion to the
+/// distance. Events that are too uncertain are left to the caster.
 template <class D>
 HWY_INLINE void loosen_far_events(D d, const LineLanes<D>& line, const Slot& plane, hn::Mask<D> departing,
                                   std::size_t i, Events<D>& events) {
@@ -42,7 +43,7 @@ HWY_INLINE void loosen_far_events(D d, const LineLanes<D>& line, const Slot& pla
   widen(events, hn::IfThenElseZero(hn::AndNot(departing, is_sound), off));
 }
 
-/// No events yet.
+/// Starts without any events.
 template <class D>
 HWY_INLINE void clear_events(D d, const LineLanes<D>& line, double slack, Events<D>& events) {
   events.slack = certified ? hn::Max(line.slack, hn::Set(d, slack)) : line.slack;
@@ -50,7 +51,7 @@ HWY_INLINE void clear_events(D d, const LineLanes<D>& line, double slack, Events
   events.before = hn::Zero(BitsOf<D>());
 }
 
-/// The events of one surface, as the i-th.
+/// Adds the events of one surface, as number i.
 template <class D>
 HWY_INLINE void add_events(D d, const Scene& scene, const LineLanes<D>& line, const AxisBounds& bounds,
                            const Slot& surface, const Departures<D>* departures, std::size_t i, Events<D>& events) {
@@ -90,7 +91,7 @@ HWY_INLINE void add_events(D d, const Scene& scene, const LineLanes<D>& line, co
   }
 }
 
-/// The events of all surfaces of a cell.
+/// Adds the events of all surfaces of a cell.
 template <class D>
 HWY_INLINE void cell_events(D d, const Scene& scene, const LineLanes<D>& line, const CellData& cells, const Cell& cell,
                             const Departures<D>* departures, Events<D>& events) {

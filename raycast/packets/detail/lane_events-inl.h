@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where lines cross planes, spheres and cylinders, a ray a lane, and which lanes know too little. Bounds:
-// docs/accuracy.md, "Lanes". Compiled once for each instruction set, by lanes.cpp.
+// Computes where lines cross planes, spheres and cylinders, with a ray in each lane, and which lanes are not certain.
+// The bounds are in docs/accuracy.md, "Lanes". Compiled once for each instruction set, by lanes.cpp.
 #if defined(CSGCAST_LANE_EVENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_EVENTS_INL_H
 #undef CSGCAST_LANE_EVENTS_INL_H
@@ -20,14 +20,14 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// The logarithm of a power of two below 2^63: the exponent of the same number as a double.
+/// The logarithm of a power of two below 2^63. It is the exponent of the same number as a double.
 template <class D>
 HWY_INLINE hn::Vec<BitsOf<D>> logarithm(D d, hn::Vec<BitsOf<D>> power) {
   const hn::RebindToSigned<D> whole;
   return hn::Sub(biased_exponent(d, hn::ConvertTo(d, hn::BitCast(whole, power))), hn::Set(BitsOf<D>(), 1023));
 }
 
-/// Two or more of a word's bits are set.
+/// True if two or more bits of a word are set.
 template <class D>
 HWY_INLINE hn::Mask<D> has_several_bits(D d, hn::Vec<BitsOf<D>> word) {
   const BitsOf<D> bits;
@@ -35,20 +35,20 @@ HWY_INLINE hn::Mask<D> has_several_bits(D d, hn::Vec<BitsOf<D>> word) {
   return hn::RebindMask(d, hn::Ne(rest, hn::Zero(bits)));
 }
 
-/// The crossings of the surfaces of one cell. A surface is positive after an even number of its two events, if it was
-/// before them.
+/// The crossings of the surfaces of one cell. If a surface is positive before its two events, it is positive after an
+/// even number of them.
 template <class D>
 struct Events {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
 
-  static constexpr std::size_t more = hn::is_single<D> ? 8 : 0;  // registers reach beyond
+  static constexpr std::size_t more = hn::is_single<D> ? 8 : 0;  // loads of whole registers reach beyond the last event
 
   V first[Cell::most_slots + more];
   V second[Cell::most_slots + more];
   hn::Vec<BitsOf<D>> before;  ///< the state before all of them
-  V slack;                    ///< four times what any of them is off
-  M flagged;                  ///< lanes that know too little
+  V slack;                    ///< four times the error bound of any event
+  M flagged;                  ///< lanes that are not certain
 };
 
 /// Sets whether surface i is positive before its events.
@@ -65,7 +65,7 @@ HWY_INLINE void set_before(D, Events<D>& events, std::size_t i, bool positive) {
   events.before = hn::Or(events.before, hn::Set(BitsOf<D>(), std::uint64_t{positive} << i));
 }
 
-/// The surface that each ray departs from.
+/// The surface that each ray departs from, in lanes.
 template <class D>
 struct Departures {
   hn::Mask<D> positive;
@@ -82,7 +82,7 @@ HWY_INLINE void flag(Events<D>& events, hn::Mask<D> lanes) {
   if constexpr (certified) events.flagged = hn::Or(events.flagged, lanes);
 }
 
-/// Of an event that is off by a quarter of this.
+/// Widens the slack for an event whose error is a quarter of `slack`.
 template <class D>
 HWY_INLINE void widen(Events<D>& events, hn::Vec<D> slack) {
   if constexpr (certified) events.slack = hn::Max(events.slack, slack);
@@ -94,7 +94,7 @@ HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const Slot& pla
                                   Events<D>& events) {
   using V = hn::Vec<D>;
   events.first[i] = tau_at(d, line, axis, plane.c[0]);
-  // Which way planes face nobody could foresee.
+  // It is unpredictable which way planes face.
   const V against = hn::Mul(hn::Set(d, plane.c[1]), line.axis_inverse[axis]);
   set_before(events, i, hn::Lt(against, hn::Zero(d)));
   if (!line.any_is_loose) return;
@@ -103,8 +103,8 @@ HWY_INLINE void axis_plane_events(D d, const LineLanes<D>& line, const Slot& pla
   flag(events, hn::Lt(hn::Abs(gap), line.guard[axis]));
 }
 
-/// Of the surface that they depart from, lanes see nothing but what lies ahead: of a plane the side that the slope
-/// tells.
+/// If lanes depart from a surface, they see only crossings ahead. After a plane there is none, and the slope tells the
+/// side.
 template <class D>
 HWY_INLINE void depart_from_axis_plane(D d, const LineLanes<D>& line, std::size_t axis, hn::Mask<D> lanes,
                                        std::size_t i, Events<D>& events) {
@@ -133,8 +133,8 @@ HWY_INLINE void plane_events(D d, const LineLanes<D>& line, const Slot& plane, h
   set_before(events, i, hn::Lt(slope, hn::Zero(d)));
 }
 
-/// A ray that departs from a sphere or cylinder has no event at its start; inwards it has one at the mirror image of
-/// the start in the `middle` of the two, which must be farther off than `least`.
+/// A ray that departs from a sphere or cylinder has no event at its start. If it goes inwards, it has one at the mirror
+/// image of the start in the `middle` of the two. That event must be farther off than `least`.
 template <class D>
 HWY_INLINE void depart_from_round(D d, const LineLanes<D>& line, hn::Vec<D> middle, bool outside_is_positive,
                                   double least, hn::Mask<D> departing, const Departures<D>& departures, std::size_t i,
@@ -148,17 +148,17 @@ HWY_INLINE void depart_from_round(D d, const LineLanes<D>& line, hn::Vec<D> midd
   const V gap = hn::Sub(other, line.start);
   const auto too_near = hn::Lt(gap, hn::Set(d, least));
   flag(events, hn::AndNot(outwards, hn::And(departing, too_near)));
-  // Of a ray that goes the other way than it is said to, cells know otherwise.
+  // If a ray goes to the other side than its departure says, the cells and the departure disagree.
   flag(events, hn::And(outwards, hn::And(departing, hn::Gt(gap, hn::Set(d, 2 * greatest_slack)))));
 }
 
 template <class V>
 struct SphereCrossings {
-  V first, second;  ///< infinite where there are none
+  V first, second;  ///< infinite if there is no event
   V middle, discriminant;
 };
 
-/// `v`: from a sphere's center to what is near it on the line.
+/// `v` is the vector from a sphere's center to the line's point near it.
 template <class D>
 HWY_INLINE SphereCrossings<hn::Vec<D>> sphere_crossings(D d, const Triples<hn::Vec<D>>& v,
                                                         const Triples<hn::Vec<D>>& direction,
@@ -192,8 +192,8 @@ HWY_INLINE void sphere_events(D d, const LineLanes<D>& line, const Slot& sphere,
   depart_from_round(d, line, crossings.middle, outside_is_positive, 2 * round_slack, departing, *departures, i, events);
 }
 
-/// A cylinder about a line along an axis of the cells: a circle in the plane of the other two. Rays nearly along the
-/// axis see nothing of it within reach, or are left to the caster.
+/// A cylinder about a line along an axis of the cells is a circle in the plane of the other two axes. Rays nearly along
+/// the axis do not meet it within reach, or are left to the caster.
 template <class D>
 HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const AxisBounds& bounds, const Slot& cylinder,
                                 std::size_t axis, hn::Mask<D> departing, const Departures<D>* departures, std::size_t i,
@@ -221,7 +221,8 @@ HWY_INLINE void cylinder_events(D d, const LineLanes<D>& line, const AxisBounds&
   auto is_steep = hn::MaskFromVec(zero);
   auto stays_inside = is_steep;
   if (line.any_is_steep[axis]) {
-    // Along the axis the sign at `near`, where the discriminant was computed for want of a middle, is that of all.
+    // For a ray along the axis, the discriminant was computed at `near`, as there is no middle. Its sign is valid for
+    // the whole ray.
     is_steep = hn::Ge(line.across_size[axis], zero);
     stays_inside = hn::AndNot(misses, is_steep);
     misses = hn::Or(is_steep, misses);

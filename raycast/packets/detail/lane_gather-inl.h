@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lines gather from a hierarchy of boxes: the surfaces of the few conjunctions that they may meet, and the
-// tree's value over these. Compiled once for each instruction set, by lanes.cpp.
+// Lines gather from a hierarchy of boxes the surfaces of the few conjunctions that they may meet, and the tree's value
+// over these surfaces. Compiled once for each instruction set, by lanes.cpp.
 #if defined(CSGCAST_LANE_GATHER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_GATHER_INL_H
 #undef CSGCAST_LANE_GATHER_INL_H
@@ -27,21 +27,22 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// One cell's worth of surfaces, and the tree's value over them.
+/// The surfaces of one cell, and the tree's value over them.
 struct Gathered {
   struct Part {
     std::uint64_t mask, want;
     bool is_subtracted;
   };
 
-  std::uint32_t slots[Cell::most_slots + 8];  ///< of their surfaces; registers reach beyond
-  /// Conjunctions of one surface that nothing else has: inside where the state differs from `flipped`.
+  std::uint32_t slots[Cell::most_slots + 8];  ///< the slots of the surfaces; loads of whole registers reach beyond
+  /// Conjunctions of a single surface that no other conjunction has. A ray is inside where the state differs from
+  /// `flipped`.
   std::uint64_t united, subtracted, flipped;
-  Part parts[Cell::most_slots];  ///< the other ones
+  Part parts[Cell::most_slots];  ///< all other conjunctions
   std::size_t part_count;
-  // Of a single ray that departs from nothing:
-  std::uint64_t line_state;  ///< where the stretch begins that is looked at
-  LineEvents line_events;    ///< on that
+  // These are used for a single ray that departs from nothing:
+  std::uint64_t line_state;  ///< the state at the start of the stretch
+  LineEvents line_events;    ///< the events on the stretch
 
   HWY_INLINE void begin() {
     united = subtracted = flipped = 0;
@@ -49,7 +50,7 @@ struct Gathered {
     line_events.count = 0;
     line_state = 0;
   }
-  /// Which of the first `count` slots it is; `count` if none.
+  /// Finds a slot among the first `count` slots. Returns its place, or `count` if it is not there.
   HWY_INLINE std::size_t place_of(std::uint32_t slot, std::size_t count) const {
     std::size_t at = 0;
     while (at < count && slots[at] != slot) ++at;
@@ -77,7 +78,7 @@ HWY_INLINE hn::Mask<BitsOf<D>> gathered_value(D, const Gathered& gathered, hn::V
   return hn::AndNot(out, in);
 }
 
-/// Finds what the lines of some lanes may meet, and the events of its surfaces.
+/// Finds the conjunctions that the lines of some lanes may meet, and the events of their surfaces.
 template <class D>
 class Gatherer {
  public:
@@ -96,7 +97,8 @@ class Gatherer {
         gathered_(gathered),
         counts_(counts) {}
 
-  /// Between two places, of lanes of one direction's signs: how many surfaces there are; nothing if too many.
+  /// Gathers between two places, for lanes whose directions have the same signs. Returns the number of surfaces, or
+  /// nothing if there are too many.
   HWY_INLINE std::optional<std::size_t> gather(V from, V to, M lanes, unsigned signs) {
     signs_ = signs;
     Beam beam;
@@ -108,8 +110,8 @@ class Gatherer {
   }
 
  private:
-  /// The events of the surfaces of all conjunctions that were gathered, but for those that the lanes miss: how many
-  /// surfaces; nothing if too many.
+  /// Computes the events of the surfaces of all gathered conjunctions, except of those that the lanes miss. Returns the
+  /// number of surfaces, or nothing if there are too many.
   HWY_INLINE std::optional<std::size_t> gather_events(V from, V to, M lanes) {
     const D d;
     const BoxTree& tree = cells_.boxes;
@@ -151,19 +153,19 @@ class Gatherer {
     return count;
   }
 
-  /// The part of their lines that lanes look at.
+  /// The part of the lines that is examined.
   struct Stretch {
     V from, to;
     M lanes;
   };
 
-  /// What a surface does on the stretch.
+  /// The state of a surface along the stretch.
   struct Course {
-    M meets;     ///< it is crossed
-    M positive;  ///< at the start of the stretch
+    M meets;     ///< lanes that cross the surface on the stretch
+    M positive;  ///< lanes in which the surface is positive at the start of the stretch
   };
 
-  /// Computes a surface's events, as those at some place.
+  /// Computes a surface's events and stores them at a place.
   HWY_INLINE Course course_of(const Slot& slot, const Stretch& stretch, std::size_t at) {
     const D d;
     const Bits bits;
@@ -185,7 +187,8 @@ class Gatherer {
     events_.before = hn::And(events_.before, hn::Set(Bits(), kept));
   }
 
-  /// The spheres that a single ray may meet, as the first slots: how many of these they take. Some are left empty.
+  /// Adds the spheres that a single ray may meet as the first slots, some of which stay empty. Returns the number of
+  /// these slots.
   HWY_INLINE std::size_t add_balls(const Stretch& stretch) {
     const SlotLanes d;
     const BitsOf<SlotLanes> bits;
@@ -232,8 +235,8 @@ class Gatherer {
     return count;
   }
 
-  /// The planes by which a single ray comes into a brick and leaves it, if it does on the stretch; false, and nothing
-  /// done, if other planes are too close to them.
+  /// Adds the planes by which a single ray enters and leaves a brick on the stretch, if it does. If other planes of the
+  /// brick are too close to these events, nothing is done and false is returned.
   HWY_INLINE bool add_brick(const Brick& brick, bool is_subtracted, const Stretch& stretch, std::size_t& count) {
     const double apart = 2 * line_.slack;
     const BrickCrossings at = brick_crossings(line_, brick, apart);
@@ -261,7 +264,7 @@ class Gatherer {
     return true;
   }
 
-  /// The events of the slots [from, to) join those of the balls.
+  /// Adds the events of the slots [from, to) to those of the balls.
   HWY_INLINE void add_line_events(const Stretch& stretch, std::size_t from, std::size_t to) {
     const std::uint64_t balls = (std::uint64_t{1} << from) - 1;
     gathered_.line_state |= events_.before & ~balls;
@@ -273,12 +276,12 @@ class Gatherer {
     }
   }
 
-  /// A conjunction of one surface, which no other one has. Returns how many slots there are then.
+  /// Adds a conjunction of a single surface that no other conjunction has. Returns the new number of slots.
   HWY_INLINE std::size_t add_simple(const BoxedSide& side, bool is_subtracted, const Stretch& stretch,
                                     std::size_t count) {
     const Course course = course_of(cells_.slots[side.slot], stretch, count);
     const M holds = side.wants_positive ? course.positive : hn::Not(course.positive);
-    // Whether some lane meets it is hard to foresee: packets go on without a branch.
+    // It is unpredictable whether some lane meets it, so packets use no branch here.
     const bool matters = !hn::AllFalse(D(), hn::And(stretch.lanes, hn::Or(course.meets, holds)));
     if (hn::is_single<D> && !matters) {
       forget_events(count, count + 1);
@@ -293,8 +296,8 @@ class Gatherer {
     return count + matters;
   }
 
-  /// One of several surfaces: those matter that the lanes cross on the stretch, unless they are on the wrong side of
-  /// another all along.
+  /// Adds a conjunction of several surfaces. A surface matters if lanes cross it on the stretch. The whole conjunction
+  /// is dropped if the lanes are on the wrong side of another surface all along.
   HWY_INLINE std::size_t add_conjunction(const BoxTree& tree, const Conjunction& conjunction, const Stretch& stretch,
                                          std::size_t count) {
     const D d;
@@ -333,7 +336,7 @@ class Gatherer {
   Events<D>& events_;
   Gathered& gathered_;
   PacketCounts& counts_;
-  unsigned signs_ = 0;  ///< of the lines' directions: the axes along which they fall
+  unsigned signs_ = 0;  ///< the axes along which the lines fall, one bit each
   Met met_;
 };
 

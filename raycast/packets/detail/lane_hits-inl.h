@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is told of hits, a ray a lane: t, place and normal, by the operations of the scalar code in the same order,
-// so that numbers do not depend on how a hit was found. Compiled once for each instruction set, by lanes.cpp.
+// Computes t, place and normal of hits, with a ray in each lane. The operations are those of the scalar code in the
+// same order, so the numbers do not depend on how a hit was found. Compiled once for each instruction set, by
+// lanes.cpp.
 #if defined(CSGCAST_LANE_HITS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_HITS_INL_H
 #undef CSGCAST_LANE_HITS_INL_H
@@ -26,13 +27,13 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// tau of the crossings of a quadric, as filtered_quadric gives them (quadric_line.cpp). Precondition: that they are
-/// certain, which they are where lanes were.
+/// The tau of a quadric's crossings, as filtered_quadric computes them (quadric_line.cpp). Precondition: the crossings
+/// are certain. They are where lanes were certain.
 template <class D>
 struct Crossings {
-  hn::Vec<D> lower, upper;  ///< the only one twice, if there is but one
-  hn::Mask<D> has_two;      ///< the sign of a is certain
-  hn::Mask<D> opens;        ///< a is positive: so is the surface before and after both
+  hn::Vec<D> lower, upper;  ///< both are equal if there is only one
+  hn::Mask<D> has_two;      ///< true if the sign of a is certain
+  hn::Mask<D> opens;        ///< true if a is positive; then f is positive before and after both crossings
 };
 
 template <class D>
@@ -44,7 +45,7 @@ HWY_INLINE Crossings<D> crossings_of(D d, const QuadraticLanes<D>& f, const Line
   const V sum = far_sum(d, f.b, root);
   const V near = hn::Add(f.origin, hn::Div(f.c, sum));
   const V far = hn::Add(f.origin, hn::Div(sum, f.a));
-  // Two crossings if the sign of a is certain; else the near one is the only one.
+  // If the sign of a is certain there are two crossings. Otherwise the near one is the only one.
   const V e = longest(line.direction);
   const V a_error =
       hn::Mul(hn::Mul(hn::Mul(hn::Set(d, 8 * 0x1p-53 * surface.second_degree), e), e), hn::Set(d, 1 + 0x1p-40));
@@ -53,20 +54,20 @@ HWY_INLINE Crossings<D> crossings_of(D d, const QuadraticLanes<D>& f, const Line
           hn::Gt(f.a, zero)};
 }
 
-/// tau of the crossing at which a quadric rises or falls, and which of its crossings that is (Crossing::root).
+/// The tau of the crossing at which a quadric rises or falls, and the number of that crossing (Crossing::root).
 template <class D>
 HWY_INLINE hn::Vec<D> crossing_tau(D d, const Crossings<D>& crossings, const Surface& surface, hn::Mask<D> rises,
                                    hn::Vec<BitsOf<D>>& root, hn::Mask<D>& is_open) {
   const BitsOf<D> bits;
   const auto second = hn::Not(hn::Xor(rises, crossings.opens));
   root = hn::IfThenElseZero(hn::RebindMask(bits, hn::And(crossings.has_two, second)), hn::Set(bits, 1));
-  // Of a surface that matters far away, too, exact arithmetic finds the other one and may number them otherwise.
+  // If the surface also matters far away, exact arithmetic finds the other crossing, and may number them differently.
   is_open = surface.is_local ? hn::MaskFromVec(hn::Zero(d)) : hn::Not(crossings.has_two);
   return hn::IfThenElse(second, crossings.upper, crossings.lower);
 }
 
-/// The same of any surface: filtered_plane and, for rays that come back to the surface they depart from, `own`,
-/// filtered_departure as well.
+/// The same for any surface. It implements filtered_plane, and also filtered_departure for rays that come back to the
+/// surface they depart from (`own`).
 template <class D>
 HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface& surface, hn::Mask<D> own,
                                    hn::Mask<D> rises, hn::Vec<BitsOf<D>>& root, hn::Mask<D>& is_open) {
@@ -91,11 +92,11 @@ HWY_INLINE hn::Vec<D> crossing_tau(D d, const LineLanes<D>& line, const Surface&
   return hn::IfThenElse(own, other, tau);
 }
 
-/// The crossings of a cell's quadrics, both computed at once when one is first asked for.
+/// The crossings of a cell's quadrics. Both crossings are computed when one is asked for first.
 template <class D>
 struct CellCrossings {
   Crossings<D> crossings[Cell::most_slots];
-  std::uint64_t known = 0;  ///< a bit each
+  std::uint64_t known = 0;  ///< one bit for each surface
 
   /// crossing_tau of the cell's i-th surface.
   HWY_INLINE hn::Vec<D> tau(D d, const LineLanes<D>& line, const Surface& surface, std::uint64_t i, hn::Mask<D> own,
@@ -109,7 +110,7 @@ struct CellCrossings {
   }
 };
 
-/// The lanes that depart from a surface.
+/// The lanes that depart from a given surface.
 template <class D>
 HWY_INLINE hn::Mask<D> own_lanes(D d, const Departures<D>* departures, std::uint32_t surface) {
   return departures != nullptr ? departing_from(d, *departures, surface) : hn::MaskFromVec(hn::Zero(d));
@@ -128,7 +129,7 @@ HWY_INLINE Triples<hn::Vec<D>> place_of(D d, const LineLanes<D>& line, const Fra
           along(line.near.z, line.low.z, line.direction.z, frame.center.z)};
 }
 
-/// The surface's gradient at a place, unit: gradient() and normalised().
+/// The surface's unit gradient at a place, as gradient() and normalised() compute it.
 template <class D>
 HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const Frame& frame,
                                              const Triples<hn::Vec<D>>& p) {
@@ -151,7 +152,7 @@ HWY_INLINE Triples<hn::Vec<D>> unit_gradient(D d, const Surface& surface, const 
                                         row(Form::zz, q.z, Form::xz, q.x, Form::yz, q.y, Form::z)});
 }
 
-/// Whose the hits of a packet are. Invalid ids are all ones.
+/// The owners of the hits of a packet. An invalid id has all bits set.
 template <class U>
 struct Owners {
   U surface, leaf, look;
@@ -171,18 +172,18 @@ HWY_INLINE Owners<hn::Vec<BitsOf<D>>> owners_of(D, const CellData& cells, hn::Ve
   return {hn::And(owner, low), hn::ShiftRight<32>(owner), hn::And(look, low)};
 }
 
-/// What is told of a packet's hits.
+/// The computed numbers of a packet's hits.
 template <class D>
 struct Told {
   using V = hn::Vec<D>;
   V t;
   hn::Vec<BitsOf<D>> root;  ///< Crossing::root
   hn::Mask<D> left;         ///< lanes that need the scalar code
-  hn::Mask<D> unrounded;    ///< lanes whose t needs it, where it is rounded
+  hn::Mask<D> unrounded;    ///< lanes whose t needs the scalar code, if t is to be rounded
   Triples<V> place, normal;
 };
 
-/// t, places and normals of the hits of one packet, surface by surface.
+/// Computes t, places and normals of the hits of one packet, surface by surface.
 template <class D>
 HWY_INLINE void tell_hits(D d, const Scene& scene, const LineLanes<D>& line, const Departures<D>* departures,
                           hn::Mask<D> hits, hn::Vec<BitsOf<D>> surfaces, hn::Mask<D> rises, hn::Mask<D> enters,
@@ -226,7 +227,7 @@ HWY_INLINE void tell_hits(D d, const Scene& scene, const LineLanes<D>& line, con
   if (!wants_faces) return;
   told.left = hn::Or(told.left, hn::And(hits, hn::Eq(longest(told.normal), zero)));
   told.left = hn::Or(told.left, hn::And(hits, hn::Not(hn::Lt(longest(told.place), hn::Set(d, 0x1p1000)))));
-  // The solid's outside is on the positive side where the ray enters and falls, or leaves and rises.
+  // If the ray enters and f falls, or it leaves and f rises, the outside of the solid is on the positive side.
   const auto outside_is_positive = hn::Xor(enters, rises);
   told.normal = choose(outside_is_positive, told.normal, -told.normal);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines of many rays in the frame: LineFrame (line_frame.h), a ray a lane, by the same operations in the same order,
-// so that numbers are the same to the last bit. Compiled once for each instruction set, by lanes.cpp.
+// The lines of many rays in the frame, with a ray in each lane. The operations are those of LineFrame (line_frame.h) in
+// the same order, so the numbers are the same to the last bit. Compiled once for each instruction set, by lanes.cpp.
 #if defined(CSGCAST_LANE_LINE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_LINE_INL_H
 #undef CSGCAST_LANE_LINE_INL_H
@@ -32,7 +32,7 @@ using csgcast::HWY_NAMESPACE::power_of_biased;
 using csgcast::HWY_NAMESPACE::store_lanes;
 using csgcast::HWY_NAMESPACE::Triples;
 
-/// A bit for each lane, of which there are up to eight.
+/// One bit for each lane, of which there are at most eight.
 template <class D>
 HWY_INLINE unsigned lane_bits(D d, hn::Mask<D> mask) {
   std::uint8_t bits[8];
@@ -81,14 +81,15 @@ HWY_INLINE Exact<hn::Vec<D>> two_product(D d, hn::Vec<D> a, hn::Vec<D> b) {
 #endif
 }
 
-/// Lanes without certificates are for the benchmark of what these cost: no bounds, nothing flagged, ties as they come.
+/// Lanes without certificates have no bounds, flag nothing, and resolve ties arbitrarily. They exist for the benchmark
+/// of the cost of certification.
 #ifdef CSGCAST_UNCERTIFIED_LANES
 constexpr bool certified = false;
 #else
 constexpr bool certified = true;
 #endif
 
-/// 2^n, of a normal double.
+/// Computes 2^n, which must be a normal double.
 inline double power_of_two(int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52); }
 
 template <class D>
@@ -97,26 +98,26 @@ struct LineLanes {
   using M = hn::Mask<D>;
 
   Triples<V> near, direction;
-  Triples<V> low;  ///< what `near` leaves over, if it is wanted
+  Triples<V> low;  ///< the rounding error of `near`, if it is wanted
   bool wants_low;
-  V direction_squared, inverse_squared;  ///< if the scene has quadrics
+  V direction_squared, inverse_squared;  ///< set only if the scene has quadrics
   V shift, unit;
-  V low_error;   ///< a bound for what each coordinate of `near` + `low` is off
-  V near_error;  ///< a bound for what each coordinate of `near` is off
+  V low_error;   ///< bound on the error of each coordinate of `near` + `low`
+  V near_error;  ///< bound on the error of each coordinate of `near`
 
   Triples<V> walk_near, walk_direction;  ///< in the axes of the cells
-  // Of single rays bricks load the fourth as well, as if it were an axis along which they are endless.
-  V axis_inverse[4];     ///< of walk_direction; huge where it is zero
-  V axis_offset[4];      ///< walk_near times that
-  V across_inverse[3];   ///< 1 / (direction_squared less the axis' own part); 0 for rays nearly along the axis
-  bool any_is_steep[3];  ///< some lane is nearly along the axis
-  V across_size[3];      ///< then: the root of that part, for these rays; else -1
-  bool any_is_loose;     ///< some lane is not certain of all planes square to some axis
-  V guard[3];            ///< then: how near such a plane must be to be left to the caster; below 0: never
+  // For single rays bricks load the fourth number as well: it is like an axis along which bricks are infinite.
+  V axis_inverse[4];     ///< inverse of walk_direction; huge where that is zero
+  V axis_offset[4];      ///< walk_near times axis_inverse
+  V across_inverse[3];   ///< 1 / (direction_squared less the square along the axis); 0 for rays nearly along the axis
+  bool any_is_steep[3];  ///< true if some lane is nearly along the axis
+  V across_size[3];      ///< in that case: the length across the axis, for these rays; else -1
+  bool any_is_loose;     ///< true if some lane is not certain of all planes square to some axis
+  V guard[3];            ///< in that case: a plane nearer than this is left to the caster; below 0: never
   V start, end;          ///< tau
-  bool ends;             ///< some lane does
-  V end_error;           ///< four times what the end is off
-  V slack;               ///< four times what an event with a plane square to an axis may be off
+  bool ends;             ///< true if some lane has an end
+  V end_error;           ///< four times the error bound of the end
+  V slack;               ///< four times the error bound of an event with a plane square to an axis
   M valid;
 
   LineLanes() {
@@ -125,7 +126,7 @@ struct LineLanes {
   }
 };
 
-/// Where the line is nearest the frame's center, or starts if that is near.
+/// Sets `near` to the point nearest to the frame's center, or to the start if that is near.
 template <class D>
 HWY_INLINE void set_near(D d, const Frame& frame, const Triples<hn::Vec<D>>& o, LineLanes<D>& line) {
   using V = hn::Vec<D>;
@@ -158,11 +159,11 @@ HWY_INLINE void set_near(D d, const Frame& frame, const Triples<hn::Vec<D>>& o, 
   const V reach = hn::Add(size, hn::Mul(hn::Set(d, 2.0), hn::Abs(line.shift)));
   line.low_error = hn::Add(hn::Mul(hn::Set(d, 0x8p-106), reach), hn::Set(d, 0x1p-1000));
   line.near_error = hn::Add(hn::Mul(hn::Set(d, 0x1p-53), longest(line.near)), line.low_error);
-  // From farther away `near` is off by more than its own rounding, which is what the constants allow for.
+  // From farther away, the error of `near` is larger than its own rounding, which is all that the constants allow for.
   line.valid = hn::And(line.valid, hn::Lt(line.low_error, hn::Set(d, 0x1p-55)));
 }
 
-/// Lanes with a part of the direction that is so near zero beside the longest, but not zero, that its products may
+/// The lanes in which a component of the direction is not zero, but so small beside the longest that its products may
 /// underflow.
 template <class D>
 HWY_INLINE hn::Mask<D> has_tiny_part(D d, const Triples<hn::Vec<D>>& v, hn::Vec<D> length) {
@@ -181,12 +182,12 @@ HWY_INLINE Triples<hn::Vec<D>> turned(D d, const std::array<Vector, 3>& axes, co
   return {dot(in_all_lanes(d, axes[0]), v), dot(in_all_lanes(d, axes[1]), v), dot(in_all_lanes(d, axes[2]), v)};
 }
 
-/// A line as it is seen from the middle of the solid's box, along the box' sides.
+/// A line relative to the middle of the solid's box, along the box's sides.
 template <class D>
 struct LineFromMiddle {
   hn::Vec<D> at[3], along[3];
-  hn::Vec<D> reach[3];  ///< half the box' sides, and what `at` may be off
-  hn::Vec<D> least;     ///< what cross products may be off besides
+  hn::Vec<D> reach[3];  ///< half the box's sides, plus the error of `at`
+  hn::Vec<D> least;     ///< a further error bound of cross products
 };
 
 template <class D>
@@ -202,7 +203,7 @@ HWY_INLINE LineFromMiddle<D> line_from_middle(D d, const CellData& cells, const 
           hn::Set(d, 0x1p-1000)};
 }
 
-/// The same where cells are turned.
+/// The same for turned cells.
 template <class D>
 HWY_INLINE LineFromMiddle<D> line_from_turned_middle(D d, const Frame& frame, const CellData& cells,
                                                      const Triples<hn::Vec<D>>& origin,
@@ -219,11 +220,11 @@ HWY_INLINE LineFromMiddle<D> line_from_turned_middle(D d, const Frame& frame, co
           hn::Mul(hn::Mul(hn::Set(d, 0x1p-44), size), longest(direction))};
 }
 
-/// The lanes whose lines pass by the solid's box for certain. A line and a box are apart if they are when one looks
-/// along an axis: there the line's distance from the box' middle, times the direction's length, is a cross product.
-/// Its terms are off by 3 u of themselves: counted as so much more of the box' size. What underflows is far less than
-/// `least` of sizes and directions in range, 2^-400 and more. Of a line that was turned all is off by less than 150 u
-/// of its length times its distance and the box' size.
+/// The lanes whose lines certainly pass by the solid's box. A line and a box are apart if they are apart in the view
+/// along an axis. There the line's distance from the box's middle, times the direction's length, is a cross product.
+/// Its terms have a relative error of 3 u, which is added to the box's size. What underflows is far less than `least`,
+/// for sizes and directions in range, 2^-400 and more. For a turned line the total error is less than 150 u times its
+/// length, times its distance plus the box's size.
 template <class D>
 HWY_INLINE hn::Mask<D> passes_by(D d, const Frame& frame, const CellData& cells, const Triples<hn::Vec<D>>& origin,
                                  const Triples<hn::Vec<D>>& direction) {
@@ -263,13 +264,13 @@ HWY_INLINE void set_line(D d, const Frame& frame, const CellData& cells, const T
   set_near(d, frame, origin, line);
 }
 
-/// tau at which the line passes a place on an axis of the cells.
+/// The tau at which the line passes a place on an axis of the cells.
 template <class D>
 HWY_INLINE hn::Vec<D> tau_at(D d, const LineLanes<D>& line, std::size_t axis, double place) {
   return hn::MulSub(hn::Set(d, place), line.axis_inverse[axis], line.axis_offset[axis]);
 }
 
-/// Cuts stretches of lines to a box along the axes of the cells.
+/// Cuts the stretches of lines to a box along the axes of the cells.
 template <class D>
 HWY_INLINE void clip_to_box(D d, const LineLanes<D>& line, const CellBox& box, hn::Vec<D>& from, hn::Vec<D>& to) {
   for (unsigned axis = 0; axis < 3; ++axis) {
@@ -280,7 +281,7 @@ HWY_INLINE void clip_to_box(D d, const LineLanes<D>& line, const CellBox& box, h
   }
 }
 
-/// The axes along which a lane's line falls, a bit each.
+/// The axes along which a lane's line falls, one bit each.
 template <class D>
 HWY_INLINE unsigned falling_axes(D d, const LineLanes<D>& line, std::size_t lane) {
   unsigned falls = 0;
@@ -292,23 +293,24 @@ HWY_INLINE unsigned falling_axes(D d, const LineLanes<D>& line, std::size_t lane
   return falls;
 }
 
-/// With fewer roundings than dot: for what is certified by bounds, and told of by other formulas.
+/// A dot product with fewer roundings than dot(). It is used only where bounds certify the result, and other formulas
+/// compute what is reported.
 template <class V>
 HWY_INLINE V fused_dot(const Triples<V>& a, const Triples<V>& b) {
   return hn::MulAdd(a.z, b.z, hn::MulAdd(a.y, b.y, hn::Mul(a.x, b.x)));
 }
 
-/// 1 / v; of zero a number so large that a product with anything but zero is out of the way.
+/// Computes 1 / v. If v is zero, the result is so large that its product with anything but zero is out of reach.
 template <class D>
 HWY_INLINE hn::Vec<D> inverse_of(D d, hn::Vec<D> v) {
   const hn::Vec<D> least = hn::Set(d, 1e-250);
   return hn::Div(hn::Set(d, 1.0), hn::IfThenElse(hn::Lt(hn::Abs(v), least), least, v));
 }
 
-/// More than four times what coordinates on the way, and so the borders of cells, are off.
+/// This is more than four times the error of coordinates on the way, and so of the borders of cells.
 constexpr double least_slack = 0x1p-46;
 
-/// How certain events with planes square to an axis are.
+/// Sets how certain events with planes square to an axis are.
 template <class D>
 HWY_INLINE void set_slack(D d, const AxisBounds& bounds, const hn::Vec<D>* along, LineLanes<D>& line) {
   using V = hn::Vec<D>;
@@ -329,11 +331,12 @@ HWY_INLINE void set_slack(D d, const AxisBounds& bounds, const hn::Vec<D>* along
   }
 }
 
-/// Where lines end that have no end, tau: beyond every crossing (no part of a direction is below 1e-100 but zero), and
-/// before the places at which lanes have a line cross what it is parallel to (inverse_of).
+/// The tau at which lines without an end stop. It is beyond every crossing, because a component of a direction is zero
+/// or at least 1e-100. It is before the places at which lanes let a line cross a plane that it is parallel to
+/// (inverse_of).
 constexpr double farthest = 1e200;
 
-/// What walks and tests need besides.
+/// Computes what walks and tests need in addition.
 template <class D>
 HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayPointers& rays, std::size_t first, std::size_t count,
                              LineLanes<D>& line) {
@@ -347,7 +350,7 @@ HWY_INLINE void prepare_walk(D d, const CellData& cells, const RayPointers& rays
     line.walk_direction = turned(d, cells.axes, line.direction);
   }
   const V along[3] = {line.walk_direction.x, line.walk_direction.y, line.walk_direction.z};
-  // By the inverse: what is as good as zero counts as positive throughout.
+  // The sign is taken from the inverse, so that a number that is practically zero counts as positive everywhere.
   const V near[3] = {line.walk_near.x, line.walk_near.y, line.walk_near.z};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     line.axis_inverse[axis] = inverse_of(d, along[axis]);

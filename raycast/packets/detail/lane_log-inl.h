@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the rays of a packet met on their way. Compiled once for each instruction set, by lanes.cpp.
+// Records what the rays of a packet meet on their way. Compiled once for each instruction set, by lanes.cpp.
 #if defined(CSGCAST_LANE_LOG_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_LOG_INL_H
 #undef CSGCAST_LANE_LOG_INL_H
@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// The ends of intervals that a packet's rays met, in order: each row is what some of its lanes met at once.
+/// The ends of intervals that a packet's rays met, in order. Each row has what some of its lanes met at the same time.
 template <class D>
 class EndLog {
  public:
@@ -30,7 +30,8 @@ class EndLog {
 
   void clear() { rows_ = 0; }
 
-  /// `where`: SurfaceId below, Crossing::root above. `face`: its leaf below, its look above.
+  /// `where` has the SurfaceId in its low bits and Crossing::root above. `face` has its leaf in the low bits and its
+  /// look above.
   HWY_INLINE void add(hn::Mask<D> lanes, hn::Vec<D> t, hn::Vec<Bits> where, hn::Vec<Bits> face) {
     const D d;
     if (rows_ == masks_.size()) reserve(2 * rows_);
@@ -40,7 +41,7 @@ class EndLog {
     masks_[rows_++] = static_cast<std::uint8_t>(lane_bits(d, lanes));
   }
 
-  /// Of the row that was added last.
+  /// Sets the normals of the row that was added last.
   HWY_INLINE void set_normals(const Triples<hn::Vec<D>>& normals) {
     const D d;
     if (normal_.size() < 3 * t_.size()) normal_.resize(3 * t_.size());
@@ -79,15 +80,16 @@ class EndLog {
   std::vector<double> t_;
   std::vector<std::uint64_t> where_;
   std::vector<std::uint64_t> face_;
-  std::vector<double> normal_;  // once some are set
+  std::vector<double> normal_;  // empty until some are set
   std::vector<std::uint8_t> masks_;
 };
 
-/// The same of one ray, where they are wanted: behind the intervals of those before it.
+/// The same for one ray. Ends are written directly to where they are wanted: behind the intervals of the rays before
+/// it.
 template <>
 class EndLog<hn::Single<double>> {
  public:
-  /// `start`: t of rays that begin inside.
+  /// `start` is the t at which rays begin that start inside.
   EndLog(const LaneLists& lists, double start)
       : intervals_(*lists.intervals),
         faces_(lists.faces),
@@ -99,7 +101,7 @@ class EndLog<hn::Single<double>> {
   }
   EndLog(const EndLog&) = delete;
   EndLog& operator=(const EndLog&) = delete;
-  /// What was not kept is gone.
+  /// Removes what was not kept.
   ~EndLog() {
     intervals_.resize(first_ / 2);
     if (faces_ != nullptr) faces_->resize(first_);
@@ -107,7 +109,7 @@ class EndLog<hn::Single<double>> {
 
   /// Forgets what the ray met.
   void clear() { next_ = first_; }
-  /// The next ray comes behind it. Returns how many intervals there are.
+  /// Keeps what the ray met; the next ray is added behind it. Returns the number of intervals.
   std::size_t keep() {
     first_ = next_;
     return first_ / 2;
@@ -146,10 +148,10 @@ class EndLog<hn::Single<double>> {
   IntervalList& intervals_;
   std::vector<EndFace>* faces_;
   double start_;
-  std::size_t base_;   // ends that were there before all
-  std::size_t first_;  // and before the ray's
+  std::size_t base_;   // the number of ends before all of these rays
+  std::size_t first_;  // the number of ends before the present ray
   std::size_t next_;
-  std::size_t size_ = 0;  // for so many ends there is room
+  std::size_t size_ = 0;  // the number of ends for which there is room
   Interval* room_ = nullptr;
 };
 

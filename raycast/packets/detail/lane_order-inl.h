@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The events of one line, in order: found side by side, sorted without branches. Compiled once for each instruction
-// set, by lanes.cpp.
+// Puts the events of one line in order. They are found side by side and sorted without branches. Compiled once for each
+// instruction set, by lanes.cpp.
 #if defined(CSGCAST_LANE_ORDER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_ORDER_INL_H
 #undef CSGCAST_LANE_ORDER_INL_H
@@ -22,18 +22,18 @@ namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 namespace hh = hn::hh;
 
-/// For single rays: surfaces in the lanes, not rays.
+/// For single rays the lanes hold surfaces, not rays.
 using SlotLanes = hh::CappedTag<double, 4>;
 
-/// Puts the chosen lanes behind what is there, where there is room for all. In two steps: what is compressed straight
-/// into memory cannot be read back before it has got there.
+/// Appends the chosen lanes to a list, which must have room for all lanes. This takes two steps: numbers that are
+/// compressed directly into memory cannot be read back for some time.
 template <class D>
 HWY_INLINE void put(D d, hh::Vec<D> values, hh::Mask<D> chosen, std::uint32_t* list, std::size_t& count) {
 #if HWY_TARGET <= HWY_AVX3
   hh::StoreU(hh::Compress(values, chosen), d, list + count);
   count += hh::CountTrue(d, chosen);
 #else
-  // Highway's own has its table made anew each time, by hundreds of instructions.
+  // Highway's own function makes its table anew in each call, by hundreds of instructions.
   const unsigned lanes = lane_bits(d, chosen);
   const hh::Rebind<std::uint8_t, D> bytes;
   const auto order = hh::PromoteTo(d, hh::LoadU(bytes, compress_table[lanes].data()));
@@ -42,7 +42,7 @@ HWY_INLINE void put(D d, hh::Vec<D> values, hh::Mask<D> chosen, std::uint32_t* l
 #endif
 }
 
-/// The chosen lanes first, in order.
+/// Moves the chosen lanes to the front, in order.
 template <class D>
 HWY_INLINE hh::Vec<D> compressed(D d, hh::Vec<D> values, hh::Mask<D> chosen) {
 #if HWY_TARGET <= HWY_AVX3
@@ -64,15 +64,15 @@ HWY_INLINE hh::Vec<D> compressed(D d, hh::Vec<D> values, hh::Mask<D> chosen) {
 #endif
 }
 
-/// Where one line crosses surfaces, in any order.
+/// The crossings of one line with surfaces, in any order.
 struct LineEvents {
   static constexpr std::size_t most = 2 * Cell::most_slots;
 
   double at[most + 16];
-  std::uint64_t slot[most + 16];  ///< whose events they are
+  std::uint64_t slot[most + 16];  ///< the slots of the events' surfaces
   std::size_t count;
 
-  /// Those of the chosen lanes.
+  /// Adds the events of the chosen lanes.
   HWY_INLINE void add(SlotLanes d, hh::Vec<SlotLanes> events, hh::Vec<BitsOf<SlotLanes>> slots,
                       hh::Mask<SlotLanes> chosen) {
     const BitsOf<SlotLanes> bits;
@@ -88,12 +88,12 @@ struct LineEvents {
   }
 };
 
-/// The same in order; places that several share leave others behind that hold no number.
+/// The same events in order. If several events share a place, the other places hold no number.
 struct SortedEvents {
   double at[LineEvents::most + 16];
   std::uint64_t slot[LineEvents::most + 16];
 
-  /// An event's place is how many come before it.
+  /// Sorts. An event's place is the number of events before it.
   HWY_INLINE void sort(LineEvents& events) {
     const SlotLanes d;
     constexpr std::size_t few = 2 * hh::MaxLanes(SlotLanes());
@@ -133,7 +133,7 @@ struct SortedEvents {
 /// An event at which the tree's value changes.
 struct LineEnd {
   std::uint64_t slot;
-  std::uint64_t state;  ///< after it
+  std::uint64_t state;  ///< the state after the event
 
   HWY_INLINE bool rises() const { return ((state >> slot) & 1) != 0; }
 };

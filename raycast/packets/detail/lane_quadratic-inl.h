@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A quadric along lines, a line a lane, and where they cross it. Compiled once for each instruction set, by
-// lanes.cpp.
+// Computes a quadric along lines, with a line in each lane, and where the lines cross it. Compiled once for each
+// instruction set, by lanes.cpp.
 #if defined(CSGCAST_LANE_QUADRATIC_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_QUADRATIC_INL_H
 #undef CSGCAST_LANE_QUADRATIC_INL_H
@@ -22,8 +22,8 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin; the operations of quadric_line.cpp,
-/// but for sums with terms that are zero.
+/// f = a s² + 2 b s + c about the closest approach to the center, at tau = origin. The operations are those of
+/// quadric_line.cpp, without sums of terms that are zero.
 template <class D>
 struct QuadraticLanes {
   using V = hn::Vec<D>;
@@ -64,22 +64,22 @@ HWY_INLINE QuadraticLanes<D> quadratic(D d, const LineLanes<D>& line, const Surf
   return f;
 }
 
-/// root - b where b is below zero, -(b + root) where it is not: nothing cancels. Nobody could foresee which, so there
-/// is no branch.
+/// Computes root - b where b is below zero, and -(b + root) elsewhere, so that nothing cancels. The sign is
+/// unpredictable, so there is no branch.
 template <class D>
 HWY_INLINE hn::Vec<D> far_sum(D d, hn::Vec<D> b, hn::Vec<D> root) {
   const hn::Vec<D> flip = hn::IfThenElseZero(hn::Lt(b, hn::Zero(d)), hn::Set(d, -0.0));
   return hn::Neg(hn::Add(b, hn::Xor(root, flip)));
 }
 
-/// Any quadric, with running errors: quadric_line.cpp in lanes.
+/// Any quadric, with running errors, as in quadric_line.cpp.
 template <class D>
 HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& quadric, hn::Mask<D> departing,
                                const Departures<D>* departures, std::size_t i, Events<D>& events) {
   using V = hn::Vec<D>;
   const QuadraticLanes<D> f = quadratic(d, line, quadric);
   const auto set = [&](double value) { return hn::Set(d, value); };
-  constexpr double u = 0x1p-53 * (1 + 0x1p-20);  // with room for the rounding of the bounds
+  constexpr double u = 0x1p-53 * (1 + 0x1p-20);  // slightly enlarged, to cover the rounding of the bounds
   const V size = longest(f.q);
   const V e = set(2.0);
   const V off = hn::MulAdd(set(u), hn::MulAdd(set(3.0), longest(f.start), size), hn::Mul(line.near_error, set(1.001)));
@@ -103,7 +103,7 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   const auto falls = hn::Lt(f.b, zero);
   const V sum = far_sum(d, f.b, root);
   const V abs_sum = hn::Abs(sum);
-  // One division for three inverses: each is off by 5 u.
+  // One division serves three inverses; each is off by 5 u.
   const V tiny = set(1e-100);
   const V safe_a = hn::IfThenElse(hn::Lt(hn::Abs(f.a), tiny), tiny, f.a);
   const V a_root = hn::Mul(safe_a, root);
@@ -117,10 +117,10 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   const V at_far = hn::Mul(sum, inverse_a);
   const V near_off = hn::Mul(hn::MulAdd(hn::Abs(at_near), sum_error, error_c), hn::Abs(inverse_sum));
   const V far_off = hn::Mul(hn::MulAdd(hn::Abs(at_far), error_a, sum_error), hn::Abs(inverse_a));
-  // Beyond 4 from the closest approach nothing can matter.
+  // Nothing beyond 4 from the closest approach can matter.
   const V reach = set(4.0);
   const auto far_is_out = hn::Gt(hn::Sub(abs_sum, sum_error), hn::Mul(set(4.01), hn::Add(abs_a, error_a)));
-  // Four times twice the quotients' first-order errors; roundings of origin and sums below 16 u each.
+  // Four times twice the first-order errors of the quotients. The roundings of origin and of sums are below 16 u each.
   const V spread = hn::Max(near_off, hn::IfThenZeroElse(far_is_out, far_off));
   const V slack = hn::MulAdd(set(8.0), spread, set(256 * u));
   const auto none_in_reach = hn::Gt(
@@ -155,7 +155,7 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   }
   widen(events, hn::IfThenElseZero(hn::AndNot(departing, hn::AndNot(has_none, is_sound)), slack));
   flag(events, hn::AndNot(departing, is_open));
-  // From the closest approach, where f' = 2 b, the two roots lie as far apart on either side of -b / a.
+  // f' = 2 b at the closest approach. The two roots lie equally far on either side of -b / a from there.
   const V ratio = hn::Mul(f.b, inverse_a);
   const V middle = hn::Sub(f.origin, ratio);
   const V other = hn::Sub(hn::Add(middle, middle), line.start);
@@ -176,7 +176,7 @@ HWY_INLINE void quadric_events(D d, const LineLanes<D>& line, const Surface& qua
   set_before(events, i, hn::Or(hn::And(departing, a_is_positive), hn::AndNot(departing, positive_before)));
 }
 
-/// A quadric about a line along an axis that is neither a sphere nor a cylinder, by few constants.
+/// A quadric about a line along an axis that is neither a sphere nor a cylinder. It needs few constants.
 template <class D>
 HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadric, std::size_t axis, std::size_t i,
                                 Events<D>& events) {
@@ -185,7 +185,7 @@ HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadr
   const V along[3] = {line.direction.x, line.direction.y, line.direction.z};
   const auto set = [&](double value) { return hn::Set(d, value); };
   const auto of_three = [&](auto&& part) { return Triples<V>{part((axis + 1) % 3), part((axis + 2) % 3), part(axis)}; };
-  // Across the axis first, then along it.
+  // The order is: across the axis first, then along it.
   const Triples<V> v = of_three([&](std::size_t k) { return hn::Sub(near[k], set(quadric.c[k])); });
   const Triples<V> e = of_three([&](std::size_t k) { return along[k]; });
   const V middle = hn::Mul(hn::Neg(fused_dot(v, e)), line.inverse_squared);
@@ -203,7 +203,7 @@ HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadr
   const V abs_a = hn::Abs(a);
   constexpr double u = 0x1p-53;
   const double unit = u * std::fmax(1, std::fabs(quadric.c[3]));
-  const V off = hn::Abs(set(quadric.c[5]));  // what f is, in the cell
+  const V off = hn::Abs(set(quadric.c[5]));  // the error of f, in the cell
   const V magnitude = hn::Add(bb, hn::Abs(ac));
   const V most_off = hn::MulAdd(hn::Mul(set(1.02), off), abs_a, hn::Mul(set(9 * u), magnitude));
   const auto has_none = hn::Lt(hn::Add(discriminant, most_off), zero);
@@ -216,7 +216,7 @@ HWY_INLINE void revolved_events(D d, const LineLanes<D>& line, const Slot& quadr
   const V at_near = hn::Mul(c, hn::Mul(safe_a, inverse));
   const V at_far = hn::Mul(sum, hn::Mul(sum, inverse));
   const auto far_is_out = hn::Gt(hn::Abs(sum), hn::Mul(set(4.01), hn::Add(abs_a, set(192 * unit))));
-  // Each crossing is off by what f is, over its slope there.
+  // The error of a crossing is the error of f, divided by the slope there.
   const V least_root = hn::Max(hn::Mul(set(0x1p36), off), hn::Mul(set(0x1p-30), abs_a));
   const auto is_sound =
       hn::And(hn::And(hn::Gt(discriminant, hn::Mul(set(0x1p-13), magnitude)), hn::Ge(root, least_root)),

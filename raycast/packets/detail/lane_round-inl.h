@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The nearest double to a crossing's t, a ray a lane: nearest_t.cpp in lanes, one Newton step on a residual in
-// twofold arithmetic. What is certain is the same number however it was found, so operations need not be the same.
-// Compiled once for each instruction set, by lanes.cpp.
+// Computes the nearest double to a crossing's t, with a ray in each lane, as nearest_t.cpp does: by one Newton step on
+// a residual in twofold arithmetic. A certain result is the same number however it was found, so the operations need
+// not be the same. Compiled once for each instruction set, by lanes.cpp.
 #if defined(CSGCAST_LANE_ROUND_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_ROUND_INL_H
 #undef CSGCAST_LANE_ROUND_INL_H
@@ -22,14 +22,15 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// a + b, off by at most 3 u² (|a| + |b|): the low parts' sum and that with the high parts' remainder round.
+/// Computes a + b, off by at most 3 u² (|a| + |b|). Two sums round: that of the low parts, and its sum with the high
+/// parts' remainder.
 template <class V>
 HWY_INLINE Exact<V> sum_of(const Exact<V>& a, const Exact<V>& b) {
   const Exact<V> high = two_sum(a.high, b.high);
   return fast_two_sum(high.high, hn::Add(high.low, hn::Add(a.low, b.low)));
 }
 
-/// a b, off by a relative 7 u² (DWTimesDW1, see twofold.h).
+/// Computes a b, off by a relative 7 u² (DWTimesDW1, see twofold.h).
 template <class D>
 HWY_INLINE Exact<hn::Vec<D>> product_of(D d, const Exact<hn::Vec<D>>& a, const Exact<hn::Vec<D>>& b) {
   const Exact<hn::Vec<D>> high = two_product(d, a.high, b.high);
@@ -37,13 +38,13 @@ HWY_INLINE Exact<hn::Vec<D>> product_of(D d, const Exact<hn::Vec<D>>& a, const E
   return fast_two_sum(high.high, hn::Add(high.low, cross));
 }
 
-/// A surface's value and slope near a crossing, with what bounds their errors.
+/// A surface's value and slope near a crossing, with numbers that bound their errors.
 template <class D>
 struct Residual {
   using V = hn::Vec<D>;
   Exact<V> value;
   V slope;
-  V size;  ///< the greatest coordinate from the surface's center
+  V size;  ///< the greatest coordinate, relative to the surface's center
 };
 
 template <class D>
@@ -89,7 +90,7 @@ HWY_INLINE Residual<D> residual_at(D d, const LineLanes<D>& line, const Surface&
   return {sum, fused_dot(gradient, line.direction), size};
 }
 
-/// t of the crossing near tau, rounded to nearest; the lanes where that is certain.
+/// The t of the crossing near tau, rounded to nearest, and the lanes in which it is certain.
 template <class D>
 HWY_INLINE hn::Mask<D> nearest_t_lanes(D d, const LineLanes<D>& line, const Surface& surface, hn::Vec<D> tau,
                                        hn::Vec<D>& t) {
@@ -99,7 +100,7 @@ HWY_INLINE hn::Mask<D> nearest_t_lanes(D d, const LineLanes<D>& line, const Surf
   const auto set = [&](double value) { return hn::Set(d, value); };
   const Residual<D> f = residual_at(d, line, surface, tau);
   const V step = hn::Neg(hn::Div(f.value.high, f.slope));
-  // The bounds of nearest_t.cpp; |direction| < 2 on each axis.
+  // The bounds are those of nearest_t.cpp; |direction| < 2 on each axis.
   const V bend = set(surface.second_degree);
   const V first = set(surface.first_degree);
   const V steepness = hn::MulAdd(hn::Mul(set(2.0), bend), f.size, first);
@@ -122,7 +123,7 @@ HWY_INLINE hn::Mask<D> nearest_t_lanes(D d, const LineLanes<D>& line, const Surf
   const V above = hn::Add(moved.high, hn::Add(low, slack));
   t = hn::Mul(below, line.unit);
   const V t_size = hn::Abs(t);
-  // No subnormal number, nor one that is infinite.
+  // Subnormal and infinite numbers are excluded.
   const auto scales =
       hn::Or(hn::And(hn::Gt(t_size, set(0x1p-1000)), hn::Lt(t_size, set(0x1p1000))), hn::Eq(t, hn::Zero(d)));
   const auto is_steep = hn::Lt(hn::Mul(set(4.0), slope_error), size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What rays meet in one cell, a ray a lane: from event to event. Compiled once for each instruction set, by
-// lanes.cpp.
+// Finds what rays meet in one cell, with a ray in each lane, from event to event. Compiled once for each instruction
+// set, by lanes.cpp.
 #if defined(CSGCAST_LANE_SWEEP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_SWEEP_INL_H
 #undef CSGCAST_LANE_SWEEP_INL_H
@@ -33,7 +33,7 @@ namespace HWY_NAMESPACE {
 
 enum class Wanted : std::uint8_t { first, any, all };
 
-/// What a packet meets, cell by cell. A lane is live until its answer is known or left to the caster.
+/// The results of a packet, cell by cell. A lane is live until its answer is known or it is left to the caster.
 template <class D, Wanted wanted>
 class Sweep {
  public:
@@ -46,7 +46,7 @@ class Sweep {
         EndLog<D>* ends)
       : scene_(scene), cells_(cells), line_(line), departures_(departures), ends_(ends) {}
 
-  /// Nothing is found yet.
+  /// Starts without any results.
   HWY_INLINE void begin() {
     const V zero = hn::Zero(D());
     flagged_ = found_ = begun_ = now_inside_ = started_inside_ = unrounded_ = hn::MaskFromVec(zero);
@@ -55,23 +55,23 @@ class Sweep {
     rises_ = covered_lanes_ = found_;
     covered_ = zero;
   }
-  /// Whether t of ends is to be the nearest double, where lanes can tell.
+  /// If true, t of ends is rounded to the nearest double where lanes can do that.
   void set_rounds(bool rounds) { rounds_ = rounds; }
-  /// Whether normals of ends are wanted.
+  /// If true, the normals of ends are computed.
   void set_wants_normals(bool wants) { wants_normals_ = wants; }
 
   M flagged() const { return flagged_; }
-  M found() const { return found_; }        ///< the lanes that have an answer but a miss
-  M inside() const { return now_inside_; }  ///< of those: that are inside right after
+  M found() const { return found_; }        ///< the lanes that have an answer other than a miss
+  M inside() const { return now_inside_; }  ///< of these, the lanes that are inside right after the hit
   M started_inside() const { return started_inside_; }
   U slot() const { return slot_; }
-  M rises() const { return rises_; }  ///< the surface turns positive
+  M rises() const { return rises_; }  ///< lanes in which the surface turns positive
   U end_count() const { return count_; }
-  M unrounded() const { return unrounded_; }  ///< the lanes with some end whose t lanes could not round
+  M unrounded() const { return unrounded_; }  ///< lanes with an end whose t lanes could not round
 
  protected:
   static constexpr bool uses_boxes = wanted == Wanted::all;
-  static constexpr std::uint16_t gathered_cell = 0xffff;  // its steps: the cell is what was gathered
+  static constexpr std::uint16_t gathered_cell = 0xffff;  // the number of steps that marks the gathered cell
 
   HWY_INLINE std::uint32_t slot_of(const Cell& cell, std::size_t i) const {
     return is_gathered(cell) ? gathered_.slots[i] : cell.first_slot + static_cast<std::uint32_t>(i);
@@ -95,7 +95,7 @@ class Sweep {
     live_ = hn::AndNot(lanes, live_);
   }
 
-  /// Lanes that start inside the cell learn what they start in.
+  /// Tells lanes that start in the cell if they start inside.
   HWY_INLINE void begin_in(M lanes, M inside) {
     now_inside_ = hn::Or(hn::AndNot(lanes, now_inside_), hn::And(lanes, inside));
     started_inside_ = hn::Or(started_inside_, hn::And(lanes, inside));
@@ -108,7 +108,7 @@ class Sweep {
     }
   }
 
-  /// What the lanes meet in a cell whose events are known.
+  /// Finds what the lanes meet in a cell whose events are known.
   HWY_INLINE void look_into(const Cell& cell, V from, V to, M active, M starting) {
     const D d;
     crossings_.known = 0;
@@ -124,7 +124,7 @@ class Sweep {
     sweep(cell, from, to, hn::And(active, live_), open);
   }
 
-  /// What lanes start in; those with an event at the start are flagged.
+  /// Finds the state in which lanes start. Lanes with an event at the start are flagged.
   void start(const Cell& cell, M lanes) {
     const D d;
     const U after = state_at(cell, hn::Add(line_.start, events_.slack));
@@ -135,15 +135,15 @@ class Sweep {
     begin_in(hn::AndNot(differs, lanes), value_of(cell, after));
   }
 
-  /// Event by event, as long as some lane has one in the cell. An event counts as certain if no other is within slack
-  /// of it. `open`: the lanes that know too little of the cell's events.
+  /// Passes event by event, as long as some lane has one in the cell. An event is certain if no other is within slack
+  /// of it. `open` are the lanes that are not certain of the cell's events.
   HWY_INLINE void sweep(const Cell& cell, V from, V to, M active, M open) {
     const D d;
     const V slack = events_.slack;
     V limit = hn::Add(to, slack);
-    // Finite: an event at infinity is none.
+    // The limit must be finite, because an infinite event is none.
     if (cells_.reaches_beyond) limit = hn::Min(limit, hn::Set(d, std::numeric_limits<double>::max()));
-    // The last cell looked at events up to its own slack beyond the border: this one goes on from there.
+    // The last cell was examined up to its own slack beyond the border. This cell goes on from there.
     V at = hn::IfThenElse(covered_lanes_, covered_, hn::Add(from, slack));
     covered_ = hn::IfThenElse(active, hn::Max(limit, at), covered_);
     covered_lanes_ = hn::Or(covered_lanes_, active);
@@ -154,7 +154,7 @@ class Sweep {
     U state;
     V next;
     pass_events<uses_boxes>(d, events_, cell, at, state, next);
-    // The lanes with an event to look at. Close to the end of what is asked nothing is certain.
+    // These are the lanes with an event to look at. Close to the ray's end nothing is certain.
     const auto due = [&](M lanes) {
       const M todo = hn::And(lanes, hn::Le(next, limit));
       if (line_.ends) flag(hn::And(todo, hn::Gt(next, hn::Sub(line_.end, hn::Add(slack, line_.end_error)))));
@@ -188,8 +188,8 @@ class Sweep {
     } while (!hn::AllFalse(d, todo));
   }
 
-  /// The same of a single ray with few events ahead, as far apart as two of their bounds; false, and nothing done, if
-  /// they are not like that.
+  /// Does the same for a single ray with few events ahead that are at least two error bounds apart. Otherwise it does
+  /// nothing and returns false.
   HWY_INLINE bool sweep_few(const Cell& cell, double at, double limit) {
     constexpr std::size_t few = 6;
     const double apart = 2 * events_.slack;
@@ -229,8 +229,8 @@ class Sweep {
     return true;
   }
 
-  /// `sweep`, and `start` before it, of a single ray whose events are gathered, if these are as far apart as two of
-  /// their bounds; false, and nothing done, if they are not.
+  /// Does `sweep`, and `start` before it, for a single ray whose events are gathered and at least two error bounds
+  /// apart. Otherwise it does nothing and returns false.
   HWY_INLINE bool sweep_in_order(const Cell& cell, double from, double to, bool starting) {
     LineEvents& events = gathered_.line_events;
     if (events_.flagged) return false;
@@ -252,14 +252,14 @@ class Sweep {
     };
     while (i < events.count && place[i] <= at) pass();
     const bool starts_inside = gathered_value(D(), gathered_, state);
-    // Who starts near an event, or comes in from beyond and not from outside, is looked at by the other code.
+    // If the ray starts near an event, or enters the stretch from beyond while inside, the other code handles it.
     if (starting ? before > from - slack : starts_inside) return false;
     bool inside = starts_inside;
     std::size_t end_count = 0;
     while (i < events.count && place[i] <= limit) {
       pass();
       const bool value = gathered_value(D(), gathered_, state);
-      // Whether it is an end nobody could foresee.
+      // It is unpredictable whether the event is an end.
       line_ends_[end_count] = {sorted_.slot[i - 1], state};
       end_count += value != inside;
       inside = value;
@@ -274,7 +274,7 @@ class Sweep {
     return true;
   }
 
-  /// A single ray's next end.
+  /// Adds the next end of a single ray.
   HWY_INLINE void add_end(const Cell& cell, const LineEnd& end) {
     if (rounds_ || wants_normals_ || departures_ != nullptr) {
       append(cell, true, end.slot, end.rises(), !now_inside_);
@@ -284,7 +284,7 @@ class Sweep {
     now_inside_ = !now_inside_;
   }
 
-  /// `append` of a single ray that departs from nothing, for what is wanted of most.
+  /// Does `append` for a single ray that departs from nothing, in the most common case.
   HWY_INLINE void append_plain(const Cell& cell, const LineEnd& end) {
     const D d;
     const Slot& slot = cells_.slots[slot_of(cell, end.slot)];
@@ -298,9 +298,9 @@ class Sweep {
     ++count_;
   }
 
-  /// Two surfaces flip within slack of each other: it does not matter in which order if the value is the same in
-  /// between, or if one of them alone decides it both before and after. All else is flagged. `flips` becomes the one
-  /// that decides.
+  /// Handles two surfaces that flip within slack of each other. Their order does not matter if the value is the same in
+  /// between, or if one of them alone decides the value both before and after. All other cases are flagged. `flips`
+  /// becomes the surface that decides.
   void settle(const Cell& cell, U state, U after, V next, M several, U& flips) {
     const D d;
     const Bits bits;
@@ -348,7 +348,7 @@ class Sweep {
       M is_open;
       const Surface& surface = scene_.surfaces()[id];
       const M own_surface = own_lanes(d, departures_, id);
-      const bool keeps = is_gathered(cell);  // both ends of what was gathered are likely to be wanted
+      const bool keeps = is_gathered(cell);  // both ends of what was gathered are probably wanted
       const V tau = keeps ? crossings_.tau(d, line_, surface, i, own_surface, rises, root, is_open)
                           : crossing_tau(d, line_, surface, own_surface, rises, root, is_open);
       flag(hn::And(same, is_open));
@@ -383,7 +383,7 @@ class Sweep {
   Events<D> events_;
   CellCrossings<D> crossings_;
   Gathered gathered_;
-  // Of a single ray that gathers:
+  // These are used for a single ray that gathers:
   SortedEvents sorted_;
   LineEnd line_ends_[LineEvents::most + 1];
   M live_, flagged_, found_, begun_, now_inside_, started_inside_, rises_, unrounded_, covered_lanes_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The states of a cell's surfaces along rays, and what the cell comes to in them. Compiled once for each instruction
+// The states of a cell's surfaces along rays, and the cell's value in these states. Compiled once for each instruction
 // set, by lanes.cpp.
 #if defined(CSGCAST_LANE_VALUES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_VALUES_INL_H
@@ -23,7 +23,7 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// The value in a state, by the cell's steps.
+/// The value of a state, by the cell's steps.
 template <class D>
 hn::Mask<BitsOf<D>> value_by_steps(D, const CellData& cells, const Cell& cell, hn::Vec<BitsOf<D>> state) {
   using Bits = BitsOf<D>;
@@ -52,7 +52,7 @@ hn::Mask<BitsOf<D>> value_by_steps(D, const CellData& cells, const Cell& cell, h
   return stack[0];
 }
 
-/// The value in a state, by the cell's table.
+/// The value of a state, by the cell's table.
 template <class D>
 HWY_INLINE hn::Mask<D> value_by_table(D d, const Cell& cell, hn::Vec<BitsOf<D>> state) {
   const BitsOf<D> bits;
@@ -60,10 +60,10 @@ HWY_INLINE hn::Mask<D> value_by_table(D d, const Cell& cell, hn::Vec<BitsOf<D>> 
   return hn::RebindMask(d, hn::Ne(hn::And(word, hn::Set(bits, 1)), hn::Zero(bits)));
 }
 
-/// With so many it pays to put them there.
+/// From this number of events on, lanes are faster.
 constexpr std::size_t fewest_in_lanes = 9;
 
-/// A bit for each of the events [from, count) that is at most `at`.
+/// Returns one bit for each of the events [from, count) that is at most `at`.
 HWY_NOINLINE std::uint64_t passed_events(const double* events, std::size_t from, std::size_t count, double at) {
   const SlotLanes d;
   const auto place = hn::hh::Set(d, at);
@@ -74,7 +74,7 @@ HWY_NOINLINE std::uint64_t passed_events(const double* events, std::size_t from,
   return passed & ((std::uint64_t{1} << count) - (std::uint64_t{1} << from));
 }
 
-/// The first of the events [from, count) after a place; infinity if there is none.
+/// The first of the events [from, count) after a place, or infinity if there is none.
 HWY_NOINLINE double first_event_after(const double* events, std::size_t from, std::size_t count, double at) {
   const SlotLanes d;
   const auto place = hn::hh::Set(d, at);
@@ -88,7 +88,8 @@ HWY_NOINLINE double first_event_after(const double* events, std::size_t from, st
   return hn::hh::GetLane(hn::hh::MinOfLanes(d, next));
 }
 
-/// Which surfaces are positive after the events up to a place. `may_be_many`: of the cell's surfaces.
+/// The surfaces that are positive after the events up to a place. `may_be_many` says that the cell may have many
+/// surfaces.
 template <bool may_be_many, class D>
 HWY_INLINE hn::Vec<BitsOf<D>> event_state(D, const Events<D>& events, const Cell& cell, hn::Vec<D> at) {
   if constexpr (may_be_many && hn::is_single<D>) {
@@ -111,7 +112,7 @@ HWY_INLINE hn::Vec<BitsOf<D>> event_state(D, const Events<D>& events, const Cell
   return state;
 }
 
-/// The same, and the first event after the place, infinity if there is none: by one comparison an event.
+/// The same, and the first event after the place, or infinity if there is none. It takes one comparison for each event.
 template <bool may_be_many, class D>
 HWY_INLINE void pass_events(D d, const Events<D>& events, const Cell& cell, hn::Vec<D> at, hn::Vec<BitsOf<D>>& state,
                             hn::Vec<D>& next) {
@@ -144,8 +145,8 @@ HWY_INLINE void pass_events(D d, const Events<D>& events, const Cell& cell, hn::
   next = first;
 }
 
-/// The lanes that meet a surface twice within slack, in the cell or next to it: such a pair hides from states before
-/// and after it.
+/// The lanes that meet a surface twice within slack, in the cell or next to it. Such a pair cannot be seen from the
+/// states before and after it.
 template <class D>
 HWY_INLINE hn::Mask<D> twins(D d, const Events<D>& events, const Cell& cell, hn::Vec<D> from, hn::Vec<D> to) {
   using V = hn::Vec<D>;
@@ -163,14 +164,14 @@ HWY_INLINE hn::Mask<D> twins(D d, const Events<D>& events, const Cell& cell, hn:
   return met;
 }
 
-/// Of two surfaces that flip close to each other.
+/// The effect of two surfaces that flip close to each other.
 template <class D>
 struct Order {
   hn::Mask<D> does_not_matter;
-  hn::Mask<D> by_first, by_second;  ///< the value changes, and one alone decides it, before the other and after it
+  hn::Mask<D> by_first, by_second;  ///< the value changes, and this one alone decides it, before the other and after it
 };
 
-/// By the value before both, after both, and after each alone.
+/// Computes it from four values: before both, after both, and after each of the two alone.
 template <class D>
 HWY_INLINE Order<D> order_of_two(D, hn::Mask<D> before, hn::Mask<D> after, hn::Mask<D> first, hn::Mask<D> second) {
   const auto first_changes = hn::Xor(before, first);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays through the cells, a ray a lane, front to back. Compiled once for each instruction set, by lanes.cpp.
+// Takes rays through the cells, with a ray in each lane, from front to back. Compiled once for each instruction set, by
+// lanes.cpp.
 #if defined(CSGCAST_LANE_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGCAST_LANE_WALK_INL_H
 #undef CSGCAST_LANE_WALK_INL_H
@@ -40,7 +41,7 @@ class Walk : public Sweep<D, wanted> {
       : Base(scene, cells, line, departures, ends), counts_(counts) {}
 
   using Base::begin;
-  /// `lanes`: those that hold a ray.
+  /// `lanes` are the lanes that hold a ray.
   HWY_INLINE void run(M lanes) {
     const D d;
     begin();
@@ -61,7 +62,7 @@ class Walk : public Sweep<D, wanted> {
       if (waiting) go(from, to, waiting, falling_axes(d, line_, 0));
       return;
     }
-    // Lanes of one direction's signs at a time: these share the order of the cells.
+    // Lanes whose directions have the same signs go together, because they share the order of the cells.
     while (!hn::AllFalse(d, waiting)) {
       const std::size_t leader = static_cast<std::size_t>(hn::FindFirstTrue(d, waiting));
       const unsigned signs = falling_axes(d, line_, leader);
@@ -94,13 +95,13 @@ class Walk : public Sweep<D, wanted> {
   using Base::sweep_in_order;
   using Base::uses_boxes;
 
-  /// Lanes of one direction's signs.
+  /// Takes lanes whose directions have the same signs through the cells.
   HWY_INLINE void go(V from, V to, M lanes, unsigned signs) {
     if (uses_boxes && !cells_.boxes.nodes.empty() && go_by_boxes(from, to, lanes, signs)) return;
     descend(from, hn::IfThenElse(lanes, to, hn::Neg(hn::Inf(D()))), signs);
   }
 
-  /// As if all were one cell, with the surfaces of what the lanes may meet; false if these are too many.
+  /// Treats the surfaces that the lanes may meet as one cell. Returns false if there are too many.
   bool go_by_boxes(V from, V to, M lanes, unsigned signs) {
     Cell cell;
     cell.tolerance = cells_.boxes.tolerance;
@@ -115,15 +116,15 @@ class Walk : public Sweep<D, wanted> {
     if constexpr (hn::is_single<D>) {
       if (departures_ == nullptr && sweep_in_order(cell, from, to, starting)) return true;
     }
-    // Lanes that know too little are flagged even where no surface is left.
+    // Lanes that are not certain are flagged even if no surface is left.
     look_into(cell, from, to, lanes, starting);
     return true;
   }
-  /// Keeps the compiler from making a branch a selection, which would wait for its condition.
+  /// Prevents the compiler from turning a branch into a selection, which would have to wait for its condition.
   static HWY_INLINE void keep_branch() { asm volatile(""); }
 
-  /// Slots of an end's cell, while the cell itself is on its way: most cells have no more. Some have none, and no slot
-  /// is at the address.
+  /// Fetches the slots of an end's cell while the cell itself is being fetched; most cells have no more slots. Some
+  /// cells have none. Then there is no slot at the address.
   HWY_INLINE void fetch_slots(const CellNode& end) const {
     constexpr std::size_t most = 4;
     const auto first = reinterpret_cast<std::uintptr_t>(cells_.slots.data()) + end.first_slot() * sizeof(Slot);
@@ -150,7 +151,7 @@ class Walk : public Sweep<D, wanted> {
         const bool upwards = ((signs >> axis) & 1) == 0;
         const std::uint32_t first = upwards ? at + 1 : node->above;
         const std::uint32_t second = upwards ? node->above : at + 1;
-        // Branches, not selections: where a packet goes is seldom a surprise after the one before it.
+        // These are branches and not selections, because a packet usually goes the same way as the packet before it.
         if (hn::AllFalse(d, hn::Le(from, first_to))) {
           at = second;
           keep_branch();
@@ -187,11 +188,11 @@ class Walk : public Sweep<D, wanted> {
     ++counts_.cells;
     if (cell.is_undecided) return flag(active);
     const M starting = hn::AndNot(begun_, hn::And(active, hn::Le(from, line_.start)));
-    // Whoever comes in from beyond comes from outside: only a start within the cells needs to be looked at.
+    // A ray that enters from beyond comes from outside. Only a start within the cells has to be examined.
     begun_ = hn::Or(begun_, active);
     if (cell.slot_count == 0) {
       if (!hn::AllFalse(d, starting)) begin_in(starting, cell.value() ? starting : hn::Xor(starting, starting));
-      // No surface is near the cell. The state on the way in must agree: it does, unless something is wrong.
+      // No surface is near the cell. The state on the way in must agree with that, unless something is wrong.
       covered_lanes_ = hn::AndNot(active, covered_lanes_);
       return flag(cell.value() ? hn::AndNot(now_inside_, active) : hn::And(now_inside_, active));
     }

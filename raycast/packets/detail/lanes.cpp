@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once for each instruction set, by including itself.
+// This file is compiled once for each instruction set, by including itself.
 #include "raycast/packets/detail/lanes.h"
 
 #include <algorithm>
@@ -31,15 +31,15 @@ HWY_BEFORE_NAMESPACE();
 namespace csgcast::detail {
 namespace HWY_NAMESPACE {
 
-/// The low bits of eight bytes, the first one lowest.
+/// Packs the low bits of eight bytes, the first byte in the lowest bit.
 HWY_INLINE std::uint8_t bits_of(std::uint64_t bytes) {
-  // Each byte's bit comes to its own place in the top byte.
+  // The product moves each byte's bit to its own place in the top byte.
   return static_cast<std::uint8_t>((bytes & 0x0101010101010101u) * 0x0102040810204080u >> 56);
 }
 
-/// A byte of 1 or 0 for each of eight bits, the lowest first.
+/// Makes a byte of 1 or 0 from each of eight bits, the lowest first.
 HWY_INLINE std::uint64_t bytes_of(unsigned bits) {
-  // Each byte gets all bits and keeps its own; then whatever is left of it moves to the byte's lowest bit.
+  // Each byte gets all bits and keeps its own. Then its bit is moved to the lowest place in the byte.
   const std::uint64_t own = (bits & 0xffu) * 0x0101010101010101u & 0x8040201008040201u;
   return ((own + 0x7f7f7f7f7f7f7f7fu) | own) >> 7 & 0x0101010101010101u;
 }
@@ -61,7 +61,7 @@ HWY_INLINE void set_departures(D d, const RayPointers& rays, std::size_t first, 
   departures.positive = hn::LoadMaskBits(d, positive);
 }
 
-/// Numbers below 2^32 as such, of the first `count` lanes.
+/// Stores the numbers of the first `count` lanes, which are below 2^32, in 32 bits each.
 template <class D>
 HWY_INLINE void store_ids(D, hn::Vec<BitsOf<D>> ids, std::uint32_t* to, std::size_t count) {
   const hn::Rebind<std::uint32_t, D> half;
@@ -95,7 +95,7 @@ HWY_INLINE void leave(std::vector<std::uint32_t>& left, std::size_t first, unsig
   counts.flagged += static_cast<std::uint64_t>(__builtin_popcount(lanes));
 }
 
-/// What a packet's rays found first. Returns the lanes whose numbers need the scalar code.
+/// Stores the first hits of a packet's rays. Returns the lanes whose numbers need the scalar code.
 template <class D>
 HWY_INLINE hn::Mask<D> store_hits(D d, const Scene& scene, const CellData& cells, const LineLanes<D>& line,
                                   const Departures<D>* departures, const Walk<D, Wanted::first>& walk,
@@ -135,7 +135,7 @@ HWY_INLINE void walk_packet(D d, const Scene& scene, const CellData& cells, cons
   const auto lanes = hn::FirstN(d, count);
   const auto origin = load_lanes(d, rays.origin, first, count);
   const auto direction = load_lanes(d, rays.direction, first, count);
-  // Rays that depart from the solid meet its box.
+  // Rays that depart from the solid meet its box, so they are not tested.
   const bool may_pass_by = rays.departure == nullptr && !cells.reaches_beyond;
   if (may_pass_by && hn::AllFalse(d, hn::AndNot(passes_by(d, scene.frame(), cells, origin, direction), lanes)))
     return walk.begin();
@@ -175,7 +175,7 @@ void cast(const Scene& scene, const CellData& cells, const RayPointers& rays, co
   }
 }
 
-/// Puts the ends that a packet met behind the intervals that are there, ray by ray. `told`: the lanes to do so for.
+/// Appends the ends that a packet met to the existing intervals, ray by ray. `told` are the lanes to do so for.
 template <class D>
 HWY_INLINE void append_lists(D d, const RayPointers& rays, std::size_t first, std::size_t count,
                              const Walk<D, Wanted::all>& walk, const EndLog<D>& log, unsigned told,
@@ -186,7 +186,7 @@ HWY_INLINE void append_lists(D d, const RayPointers& rays, std::size_t first, st
   hn::Store(walk.end_count(), bits, met);
   const unsigned start_inside = lane_bits(d, walk.started_inside());
   const unsigned end_inside = lane_bits(d, walk.inside());
-  // Where each lane's next end goes, counted in ends.
+  // The place of each lane's next end, counted in ends.
   std::size_t next[8];
   std::size_t total = 2 * lists.intervals->size();
   for (std::size_t lane = 0; lane < count; ++lane) {
@@ -221,7 +221,7 @@ HWY_INLINE void append_lists(D d, const RayPointers& rays, std::size_t first, st
   }
 }
 
-/// The same of one ray, whose ends are where they belong.
+/// The same for one ray. Its ends are already in their place.
 HWY_INLINE void append_lists(hn::Single<double>, const RayPointers& rays, std::size_t ray, std::size_t,
                              const Walk<hn::Single<double>, Wanted::all>& walk, EndLog<hn::Single<double>>& log,
                              unsigned told, const LaneLists& lists) {
@@ -230,7 +230,7 @@ HWY_INLINE void append_lists(hn::Single<double>, const RayPointers& rays, std::s
   lists.ends[ray] = log.keep();
 }
 
-/// Room for what rays meet.
+/// Memory for what rays meet.
 template <class D>
 HWY_INLINE EndLog<D> make_log(D, const RayPointers& rays, const LaneLists& lists) {
   if constexpr (hn::is_single<D>) {

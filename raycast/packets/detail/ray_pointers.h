@@ -8,7 +8,7 @@
 
 namespace csgcast::detail {
 
-/// RayArrays as the hot loops take them: null instead of empty.
+/// RayArrays in the form for hot loops: a pointer is null instead of an empty array.
 struct RayPointers {
   std::size_t count = 0;
   const double* origin[3] = {};
@@ -19,7 +19,7 @@ struct RayPointers {
   const double* end = nullptr;
 };
 
-/// HitArrays, likewise.
+/// HitArrays in the same form.
 struct HitPointers {
   std::uint8_t* state = nullptr;
   double* t = nullptr;
@@ -28,7 +28,7 @@ struct HitPointers {
   std::uint8_t* is_inside = nullptr;
 };
 
-/// FaceArrays, likewise.
+/// FaceArrays in the same form.
 struct FacePointers : HitPointers {
   double* point[3] = {};
   double* normal[3] = {};
@@ -37,9 +37,10 @@ struct FacePointers : HitPointers {
   std::uint32_t* leaf = nullptr;
 };
 
-/// Preconditions: what RayArrays says of lengths.
+/// Preconditions: the lengths are as RayArrays requires.
 RayPointers pointers_of(const RayArrays& rays);
-/// Preconditions: what HitArrays and FaceArrays say of lengths, for that many rays. `rounds`: t is to be rounded.
+/// Preconditions: the lengths are as HitArrays and FaceArrays require for `rays` rays. `rounds` says that t will be
+/// rounded.
 HitPointers pointers_of(const HitArrays& hits, std::size_t rays, bool rounds);
 FacePointers pointers_of(const FaceArrays& faces, std::size_t rays);
 
