@@ -23,8 +23,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 void check(const MeasureOptions& options) {
   if (options.relative_error > 0 && options.relative_area_error > 0) return;
-  throw Error(ErrorCode::bad_value, {}, "the relative error asked for is not positive",
-              "an error of zero can only be approached", "give a number such as 1e-6");
+  throw Error(ErrorCode::bad_value, {}, "the relative error asked for is not positive", "it can only be approached",
+              "give a number such as 1e-6");
 }
 
 Measures unbounded() {
@@ -41,7 +41,7 @@ Measures unbounded() {
   return m;
 }
 
-/// All measures except those that depend on the density.
+/// All but what depends on the density.
 Measures shape_of(const Space& space, const Totals& totals) {
   Measures m;
   const double s = space.scale();
@@ -56,7 +56,7 @@ Measures shape_of(const Space& space, const Totals& totals) {
   return m;
 }
 
-/// A part of a call's work, and the callback that is told how far it is.
+/// A part of a call's work, and what is told of it.
 struct Stretch {
   ProgressTeller& teller;
   double from = 0;
@@ -68,7 +68,7 @@ struct Stretch {
   }
 };
 
-/// A node and its body. There is no body if the node may be unbounded.
+/// A node and its body, nothing of one that may be unbounded.
 struct Measurement {
   Measures measures;
   Body body;
@@ -78,8 +78,8 @@ Measurement measure_node(const Scene& scene, NodeId node, double density, const 
                          const Stretch& stretch) {
   check(options);
   if (!(density >= 0) || std::isinf(density))
-    throw Error(ErrorCode::bad_value, {}, "the density is negative or not finite", "the mass would be, too",
-                "give a density of 0 or more");
+    throw Error(ErrorCode::bad_value, {}, "the density is negative or no number", "masses would be so, too",
+                "give a positive one");
   const Space space(scene, node);
   if (!space.is_bounded() && !space.is_empty()) return {unbounded(), {}};
   const Totals totals = detail::refine(space, options, stretch);
@@ -88,7 +88,7 @@ Measurement measure_node(const Scene& scene, NodeId node, double density, const 
   return result;
 }
 
-/// The body of a node, less other nodes.
+/// Of a node less others.
 Body body_of_rest(const Scene& scene, NodeId node, std::span<const NodeId> less, double density,
                   const MeasureOptions& options, const Stretch& stretch) {
   const Space space(scene, node, less);
@@ -99,7 +99,7 @@ bool may_overlap(const Scene& scene, NodeId a, NodeId b) {
   return !intersection(scene.node(a).box, scene.node(b).box).is_null();
 }
 
-/// True if something is outside every part.
+/// Whether something is outside every part.
 bool has_rest(const Scene& scene) {
   return std::any_of(scene.leaves().begin(), scene.leaves().end(), [](const Leaf& leaf) { return !leaf.part.valid(); });
 }
@@ -118,8 +118,7 @@ SceneMeasures measure(const Scene& scene, const MeasureOptions& options) {
   const auto parts = scene.parts();
   const bool has_mass = !parts.empty() && scene.node(scene.root()).box.is_finite();
   ProgressTeller teller(options.progress);
-  // Each part and the whole get an equal stretch. Half of a stretch goes to what the part adds to the mass, and to what
-  // is in no part.
+  // Each part and the whole take an equal stretch; half of it what a part adds to the mass, and what is in no part.
   const double step = 1 / (static_cast<double>(parts.size()) + 1);
   double done = 0;
   const auto half = [&] {

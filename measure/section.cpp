@@ -21,11 +21,11 @@ using detail::Planar;
 void check(const Plane& plane) {
   const bool is_sound = is_finite(plane.normal) && longest(plane.normal) > 0 && std::isfinite(plane.distance);
   if (is_sound) return;
-  throw Error(ErrorCode::bad_value, {}, "the plane's normal is zero, or one of its numbers is not finite",
+  throw Error(ErrorCode::bad_value, {}, "the plane has a normal that is zero, or numbers that are none",
               "it does not say where to cut", "give nx,ny,nz,d such as 0,0,1,2.5");
 }
 
-/// Converts the coordinates of the space of a section to those of its plane.
+/// From the coordinates of the space of a section to those of its plane.
 class PlaneFrame {
  public:
   PlaneFrame(const Space& space, const Plane& plane, Section& section) : scale_(space.scale()) {
@@ -42,7 +42,7 @@ class PlaneFrame {
 
   PlanePoint operator()(const Planar& p) const { return {u_ + scale_ * p[0], v_ + scale_ * p[1]}; }
 
-  /// A form of the space in the plane's coordinates, scaled so that its greatest coefficient is 1.
+  /// A form of the space, in the plane's coordinates, its greatest coefficient 1.
   std::array<double, 6> conic(const CellForm& form) const {
     using Form = QuadricForm;
     const double s = 1 / scale_;
@@ -80,11 +80,11 @@ Section cut(const Scene& scene, const Plane& plane, const SectionOptions& option
   MeasureOptions job;
   job.relative_error = job.relative_area_error = options.relative_error;
   job.most_pieces = options.most_pieces;
-  // The arcs count as half of the work, because their progress is not known.
+  // The arcs are taken for half of the work; how far they are is not known.
   const auto tell = [&](double share) { teller.tell({share, {}}); };
   const detail::Totals totals = detail::refine(space, job, [&](const Progress& now) { tell(0.5 * now.share); });
   const double s = space.scale();
-  // The height is 1. So a volume in the space is an area in the section, and an area is a length.
+  // Its height is 1: what is a volume there is an area here, an area a length.
   result.area = detail::scaled(s * s, totals.moments.volume, totals.volume_error);
   result.perimeter = detail::scaled(s, totals.area, totals.area_error);
   const detail::ArcTrace trace = detail::trace_arcs(space, options.most_pieces, [&] { tell(0.5); });

@@ -22,7 +22,7 @@ using detail::FacePointers;
 using detail::HitPointers;
 using detail::RayPointers;
 
-// This limits the memory, and is still many packets.
+// Bounds the memory, and is many packets.
 constexpr std::size_t rays_at_once = 256;
 
 const detail::LaneCode& code_named(std::string_view instructions) {
@@ -31,8 +31,8 @@ const detail::LaneCode& code_named(std::string_view instructions) {
   const auto named =
       std::find_if(codes.begin(), codes.end(), [&](const detail::LaneCode& code) { return code.name == instructions; });
   if (named != codes.end()) return *named;
-  throw Error(ErrorCode::usage, {}, "there is no instruction set '" + std::string(instructions) + "'",
-              "this machine has other ones", "ask PacketCaster::instruction_sets()");
+  throw Error(ErrorCode::usage, {}, "no instruction set is called " + std::string(instructions),
+              "this machine has others", "ask PacketCaster::instruction_sets()");
 }
 
 Ray ray_at(const RayPointers& rays, std::size_t i) {
@@ -55,7 +55,7 @@ Span span_of(const RayPointers& rays, std::size_t i) {
   return span;
 }
 
-// The rays [begin, begin + count).
+// Rays [begin, begin + count).
 RayPointers part(RayPointers rays, std::size_t begin, std::size_t count) {
   rays.count = count;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -102,7 +102,7 @@ struct PacketCaster::State {
         code(w == Width::packet ? code_named(instructions).packet : code_named(instructions).single),
         caster(c.scene()) {}
 
-  // Copies up to `rays_at_once` of the rays, from `begin` on, to arrays.
+  // Rays as arrays: those of `rays` from `begin` on, as many as are at once.
   detail::RayPointers load(std::span<const Ray> rays, std::size_t begin) {
     detail::RayPointers arrays;
     arrays.count = std::min(rays_at_once, rays.size() - begin);
@@ -121,7 +121,7 @@ struct PacketCaster::State {
     return arrays;
   }
 
-  // Finds by the caster what a ray that lanes left meets first. The caster has begun the ray then.
+  // What a ray that lanes left meets first, by the caster, which has begun it then.
   std::optional<Hit> tell_left(const detail::RayPointers& rays, std::size_t i, const detail::HitPointers& hits,
                                Rounding rounding) {
     begin(caster, rays, i);
@@ -135,13 +135,13 @@ struct PacketCaster::State {
     return hit;
   }
 
-  // The face at an end of the present ray's list. It is not valid if no surface makes the end.
+  // Whose face an end of the present ray's list is, if a surface makes it.
   EndFace face_of(const Crossing& crossing, Passage passage) {
     return end_face(caster.attribute(cells.node(), {crossing, passage}));
   }
 
-  // Inserts the lists of rays that lanes left, from the last ray to the first. `base` is the number of rays that the
-  // batch had before.
+  // Lists of rays that lanes left have none yet: they are put in, from the last one on. `base`: how many rays the batch
+  // had before.
   void insert_left(const detail::RayPointers& rays, std::size_t base, std::size_t left_before, IntervalBatch& batch,
                    Rounding rounding, Ends ends) {
     for (std::size_t k = left.size(); k-- > left_before;) {
@@ -155,7 +155,7 @@ struct PacketCaster::State {
     }
   }
 
-  // Finds the faces that lanes could not tell, and those of rays that lanes left.
+  // The faces that lanes could not tell, or that are of rays they left.
   void tell_faces(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch, Ends ends) {
     const auto is_known = [&](const EndFace& face) {
       return face.look.valid() && (face.leaf.valid() || ends == Ends::looks);
@@ -175,7 +175,7 @@ struct PacketCaster::State {
     }
   }
 
-  // Rounds t of the ends of rays that lanes could not round.
+  // t of the ends of rays whose lanes could not round it.
   void round(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch) {
     for (const std::uint32_t i : unrounded) {
       begin(caster, rays, i);
@@ -187,7 +187,7 @@ struct PacketCaster::State {
     }
   }
 
-  // Gives every ray an empty list and leaves it to the caster.
+  // No list for any ray yet.
   void leave_all(const detail::RayPointers& rays, std::size_t base, IntervalBatch& batch) {
     for (std::size_t i = 0; i < rays.count; ++i) {
       batch.offsets[base + i + 1] = batch.intervals.size();
@@ -208,7 +208,7 @@ struct PacketCaster::State {
                                   .rounds = rounding == Rounding::nearest,
                                   .unrounded = &unrounded};
     if (ends == Ends::faces && !cells.scene().bounded_leaves().is_finite()) {
-      leave_all(rays, base, batch);  // places are computed differently here (LineCache::point)
+      leave_all(rays, base, batch);  // places are computed another way (LineCache::point)
     } else {
       code.lists(cells.scene(), cells.data(), rays, lists, counts);
     }
@@ -220,7 +220,7 @@ struct PacketCaster::State {
 
   void fill(const detail::RayPointers& rays, IntervalBatch& batch, Rounding rounding, Ends ends) {
     clear(batch);
-    // The rays are handled in blocks, so that an insertion (insert_left) moves only a few lists.
+    // In pieces: what is put in between (insert_left) moves but little.
     for (std::size_t begin = 0; begin < rays.count; begin += rays_at_once)
       add(part(rays, begin, std::min(rays_at_once, rays.count - begin)), begin, batch, rounding, ends);
   }
@@ -271,7 +271,7 @@ struct PacketCaster::State {
     if (faces.root == nullptr) lanes.faces.root = roots.data();
     if (cells.scene().bounded_leaves().is_finite()) {
       code.first_hits(cells.scene(), cells.data(), rays, lanes, counts);
-    } else {  // places are computed differently here (LineCache::point)
+    } else {  // places are computed another way (LineCache::point)
       left.resize(rays.count);
       std::iota(left.begin(), left.end(), 0u);
     }
@@ -300,9 +300,9 @@ struct PacketCaster::State {
   std::array<std::uint32_t, rays_at_once> surface;
   std::array<std::uint8_t, rays_at_once> root;
   std::vector<std::uint32_t> left;     // the rays that lanes could not decide
-  std::vector<std::uint32_t> unowned;  // the rays whose face has an owner that lanes could not tell
+  std::vector<std::uint32_t> unowned;  // those whose face they could not tell the owner of
   std::vector<std::uint8_t> roots;
-  std::vector<std::uint32_t> unrounded;  // the rays whose t lanes could not round
+  std::vector<std::uint32_t> unrounded;  // and those whose t they could not round
   IntervalList list;
 };
 

@@ -30,8 +30,8 @@ Attribution Attributor::attribute(NodeId node, const Hit& hit) {
   Attribution result;
   result.leaf = neighbourhood_.bounding_leaf();
   if (!result.leaf.valid()) {
-    throw Error(ErrorCode::usage, {}, "the hit is not on this ray or solid", "the solid has no face there",
-                "ask with the ray and node that gave the hit");
+    throw Error(ErrorCode::usage, {}, "a hit was asked about that is not on this ray or solid",
+                "no face of it is there", "ask with the ray and node that gave the hit");
   }
   const Leaf& leaf = scene_.leaf(result.leaf);
   result.region = leaf.region;

@@ -79,7 +79,7 @@ Solid make_cylinder(const Call& call) {
   const auto both = radius(call, "r", "d");
   const auto own_bottom = radius(call, "r1", "d1");
   const auto own_top = radius(call, "r2", "d2");
-  if (both && (own_bottom || own_top)) call.warn("'r1' and 'r2' of 'cylinder' win over 'r', which is given as well");
+  if (both && (own_bottom || own_top)) call.warn("a cylinder with both 'r' and 'r1' or 'r2': these win");
   const double bottom_radius = own_bottom.value_or(both.value_or(1));
   const double top_radius = own_top.value_or(both.value_or(1));
   const Centering centred = centering(call);

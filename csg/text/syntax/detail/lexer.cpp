@@ -200,7 +200,7 @@ void Lexer::escape(std::string& content) {
     default:
       break;
   }
-  throw Error(ErrorCode::syntax, start, "unknown escape in a string", "after '\\' only \" \\ n t r x u U may stand",
+  throw Error(ErrorCode::syntax, start, "unknown escape in a string", "after '\\' stands none of \" \\ n t r x u U",
               "write '\\\\' for a backslash");
 }
 
@@ -226,8 +226,7 @@ void Lexer::code_point(std::string& content, std::size_t digits, const Place& st
 void Lexer::reject_byte() const {
   const auto byte = static_cast<unsigned char>(peek());
   const std::string remedy = "delete it; only strings and comments may hold other characters than ASCII";
-  if (byte == 0)
-    throw Error(ErrorCode::syntax, here(), "this is not a text", "it holds a zero byte", "give a scene text");
+  if (byte == 0) throw Error(ErrorCode::syntax, here(), "a zero byte", "this is not a text", "give a scene text");
   const auto code = first_code_point(text_.substr(position_, 4));
   if (!code) throw Error(ErrorCode::syntax, here(), fmt::format("byte 0x{:02x} is not UTF-8", byte), "", remedy);
   throw Error(ErrorCode::syntax, here(), fmt::format("unexpected character U+{:04X}", *code), "", remedy);
