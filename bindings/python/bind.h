@@ -26,7 +26,6 @@ void bind_queries(py::module_& module);
 void bind_shapes(py::module_& module);
 void bind_pictures(py::module_& module);
 void bind_pickles(py::module_& module);
-void bind_distributed(py::module_& module);
 
 /// Numbers as C-ordered doubles; others are converted.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;

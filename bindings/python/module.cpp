@@ -18,5 +18,4 @@ PYBIND11_MODULE(_core, m) {
   csgcast::python::bind_shapes(m);
   csgcast::python::bind_pictures(m);
   csgcast::python::bind_pickles(m);
-  csgcast::python::bind_distributed(m);
 }

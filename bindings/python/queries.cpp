@@ -106,6 +106,15 @@ py::array locate(const Model& model, const Numbers& points, py::object callback,
   return array_of<std::int8_t>(std::move(signs), {count});
 }
 
+py::array thickness(const Model& model, const Numbers& origins, const Numbers& directions, py::object callback,
+                    int threads) {
+  const RayInput input(origins, directions);
+  Callbacks callbacks(std::move(callback), threads);
+  QueryOptions options;
+  options.progress = callbacks.progress();
+  return array_of<double>(callbacks.run([&] { return model.thickness(input.rays(), options); }), {input.count()});
+}
+
 py::array point_array(Point p) { return array_of<double>(std::vector<double>{p.x, p.y, p.z}, {3}); }
 
 py::object box_array(const Box& box) {
@@ -192,6 +201,7 @@ void bind_queries(py::module_& m) {
       .def("first_hits", first_hits)
       .def("any_hits", any_hits)
       .def("locate", locate)
+      .def("thickness", thickness)
       .def("measure", measure_model)
       .def("leaf", leaf_name)
       .def("bounds", [](const Model& model) { return box_array(model.bounds()); })

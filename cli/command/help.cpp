@@ -14,25 +14,16 @@ namespace {
 struct HelpOptions {
   std::string command;
   bool man = false;
-  std::string shell;
+  std::optional<Shell> shell;
   std::string output;
 };
 
-std::optional<Shell> shell_named(const std::string& name) {
-  if (name.empty()) return std::nullopt;
-  if (name == "bash") return Shell::bash;
-  if (name == "zsh") return Shell::zsh;
-  if (name == "fish") return Shell::fish;
-  throw UsageError(fmt::format("--completion '{}' is unknown (known are bash|zsh|fish)", name));
-}
-
 std::string text_of(const HelpOptions& options) {
   const std::vector<Command> commands = all_commands();
-  const std::optional<Shell> shell = shell_named(options.shell);
-  if ((options.man || shell) && !options.command.empty())
+  if ((options.man || options.shell) && !options.command.empty())
     throw UsageError("--man and --completion tell all commands: leave COMMAND out");
   if (options.man) return man_page(commands);
-  if (shell) return completion(*shell, commands);
+  if (options.shell) return completion(*options.shell, commands);
   if (options.command.empty()) return help_text(commands);
   return help_text(command_named(options.command, commands));
 }
@@ -52,11 +43,9 @@ Command help_command() {
                .help = "Write the manual page csgcast(1), for man",
                .take = into(options->man),
                .conflicts = {"--completion"}});
-  command.add({.names = "--completion",
-               .value = "bash|zsh|fish",
-               .help = "Write the script that teaches a shell to complete csgcast's command lines",
-               .take = into(options->shell),
-               .words = {"bash", "zsh", "fish"}});
+  command.add(choice<Shell>("--completion", options->shell,
+                            "Write the script that teaches a shell to complete csgcast's command lines",
+                            {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}}));
   command.add(output_option(options->output));
   command.examples = {"csgcast help render", "csgcast help --man | man -l -",
                       "csgcast help --completion bash > ~/.local/share/bash-completion/completions/csgcast"};

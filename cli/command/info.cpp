@@ -5,6 +5,7 @@
 #include "cli/command/commands.h"
 #include "cli/input/distinct_files.h"
 #include "cli/input/scene_input.h"
+#include "cli/output/camera_text.h"
 #include "cli/output/format.h"
 #include "cli/output/json.h"
 #include "cli/output/labelled_row.h"
@@ -34,12 +35,7 @@ struct Info {
   LeafSummary leaves = summarise_leaves(input.scene);
 };
 
-template <class Tag>
-std::string coordinates(const Triple<Tag>& t) {
-  return fmt::format("{}, {}, {}", number(t.x), number(t.y), number(t.z));
-}
-
-std::string coordinates(const Rgb& c) { return coordinates(Vector{c.r, c.g, c.b}); }
+std::string components(const Rgb& c) { return coordinates(Vector{c.r, c.g, c.b}); }
 
 void json_tally(Json& json, const char* name, const Tally& tally) {
   json.key(name).begin_object(Json::Layout::compact);
@@ -54,23 +50,19 @@ std::string bounds_line(const Box& bounds) {
 }
 
 std::string camera_line(const std::optional<CameraDescription>& camera) {
-  if (!camera) return "none (a default one frames the solid)";
-  const std::string view = fmt::format("eye {}  look at {}  up {}", coordinates(camera->eye),
-                                       coordinates(camera->look_at), coordinates(camera->up));
-  return camera->height ? fmt::format("{}  parallel, height {}", view, number(*camera->height))
-                        : fmt::format("{}  field of view {}", view, number(camera->fov));
+  return camera ? camera_text(*camera) : "none (a default one frames the solid)";
 }
 
 std::string light_line(const LightDescription& light) {
   std::string text = light.position ? "at " + coordinates(*light.position) : "";
   if (light.direction) text += "along " + coordinates(*light.direction);
-  text += fmt::format("  color {}  intensity {}", coordinates(light.color), number(light.intensity));
+  text += fmt::format("  color {}  intensity {}", components(light.color), number(light.intensity));
   return light.falloff ? fmt::format("{}  falloff {}", text, number(*light.falloff)) : text;
 }
 
 std::string background_line(const SceneDescription& description) {
   if (description.background_image) return "image " + printable(description.background_image->path);
-  return description.background ? coordinates(*description.background) : "default";
+  return description.background ? components(*description.background) : "default";
 }
 
 std::string as_text(const Info& info) {

@@ -110,8 +110,8 @@ void append_measures(std::string& out, const Scene& scene, const Measures& m) {
              m.bounds.is_null() ? "empty"
                                 : fmt::format("{}  to  {}  ± {:.2g}", coordinates(m.bounds.lower, m.bounds_error),
                                               coordinates(m.bounds.upper, m.bounds_error), m.bounds_error));
-  append_row(out, "cells",
-             fmt::format("{}{}", m.pieces, m.is_as_asked ? "" : ": more would not have brought what was asked for"));
+  append_row(out, "cells", fmt::format("{}", m.pieces));
+  if (!m.is_as_asked) append_row(out, "errors", "greater than asked for: more cells would not have brought them down");
 }
 
 std::string as_text(const Scene& scene, const SceneMeasures& measures) {

@@ -17,6 +17,7 @@
 #include "cli/input/options.h"
 #include "cli/input/scene_input.h"
 #include "cli/input/tile_file.h"
+#include "cli/output/camera_text.h"
 #include "cli/output/output.h"
 #include "cli/output/printable.h"
 #include "cli/output/render_stats.h"
@@ -54,8 +55,6 @@ struct RenderCommandOptions {
   std::string output;
   std::string stats;
 };
-
-bool takes_samples(Mode mode) { return mode == Mode::shaded || mode == Mode::edges || mode == Mode::xray; }
 
 /// The options, checked as far as they can be before the scene is read.
 struct Job {
@@ -156,6 +155,9 @@ void check_channels(const RenderCommandOptions& options, const Job& job) {
                       : options.bits              ? "--bits"
                                                   : nullptr;
   if (given == nullptr) return;
+  if (!options.tiles.empty())
+    throw UsageError(
+        fmt::format("{} cannot be given beside --tiles (a tile holds colors alone; csgcast join takes --bits)", given));
   if (options.output.empty()) throw UsageError(fmt::format("{} needs -o (it is about the picture)", given));
   if (job.has_alpha && job.render.mode != Mode::shaded)
     throw UsageError("alpha needs --mode shaded (it is the share of a pixel's light that comes from the solid)");
@@ -195,8 +197,6 @@ Job check(const RenderCommandOptions& options) {
     job.tile = parse_pair("--tiles", options.tiles, '/', 0, largest_side);
     if (options.output.empty()) throw UsageError("--tiles needs -o (where shall the tile go?)");
     job.render.region = band_of_picture(job.render.width, job.render.height, job.tile->first, job.tile->second);
-    if (options.alpha || options.bits || !options.channels.empty())
-      throw UsageError("--bits, --alpha and --channels cannot be given beside --tiles");
     check_tile_path(options.output);
     return job;
   }
@@ -245,13 +245,8 @@ TileHead tile_head(const RenderCommandOptions& options, const Job& job, const te
 
 /// What a picture's file says of itself.
 std::vector<std::pair<std::string, std::string>> notes(const RenderCommandOptions& options, const View& view) {
-  const auto numbers = [](const auto& p) { return fmt::format("{}, {}, {}", number(p.x), number(p.y), number(p.z)); };
-  const CameraDescription& camera = view.camera;
-  const std::string lens = camera.height ? fmt::format("parallel, height {}", number(*camera.height))
-                                         : fmt::format("field of view {}", number(camera.fov));
   return {{"Scene", printable(std::filesystem::path(options.scene.path).filename().string())},
-          {"Camera", fmt::format("eye {}  look at {}  up {}  {}", numbers(camera.eye), numbers(camera.look_at),
-                                 numbers(camera.up), lens)}};
+          {"Camera", camera_text(view.camera)}};
 }
 
 std::vector<NamedChannels> layers(const Job& job, const std::optional<Film>& color, const std::vector<Film>& films) {
@@ -272,16 +267,23 @@ void render_picture(const RenderCommandOptions& options, Job& job, const SceneIn
   RenderReport report;
   std::optional<ProgressBar> bar(std::in_place, "render", options.scene.progress());
   job.render.progress = bar->callback();
+  std::optional<Cells> cells;
+  if (!job.channels.empty()) {  // for all films
+    const Stopwatch cells_watch;
+    cells.emplace(input.scene);
+    report.cells_seconds += cells_watch.seconds();
+  }
+  const KeptCells kept{.cells = cells ? &*cells : nullptr};
   std::optional<Film> color;
   if (job.has_color) {
-    color = job.has_alpha ? render_with_alpha(input.scene, view, job.render, &report)
-                          : render(input.scene, view, job.render, &report);
+    color = job.has_alpha ? render_with_alpha(input.scene, view, job.render, &report, kept)
+                          : render(input.scene, view, job.render, &report, kept);
   }
   std::vector<Film> films;
   if (!job.channels.empty()) {
     bar.emplace("channels", options.scene.progress());
     job.render.progress = bar->callback();
-    films = channel_films(input.scene, view, job.render, job.channels);
+    films = channel_films(input.scene, view, job.render, job.channels, kept);
   }
   bar.reset();
   const Stopwatch write_watch;

@@ -77,10 +77,10 @@ inline Take into(bool& is_given) {
   return [&is_given](const std::string&) { is_given = true; };
 }
 
-/// An option that takes one of a few words; `value` holds the default, which must be among them, and must live as long
-/// as the option.
-template <class Enum>
-Option choice(const std::string& name, Enum& value, const std::string& help,
+/// An option that takes one of a few words. `value` is an Enum that holds the default, or an optional one for none. It
+/// must live as long as the option.
+template <class Enum, class Value>
+Option choice(const std::string& name, Value& value, const std::string& help,
               const std::vector<std::pair<std::string, Enum>>& choices) {
   Option option{.names = name, .value = {}, .help = help};
   for (const auto& [word, choice] : choices) {

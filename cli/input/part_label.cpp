@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <span>
+#include <system_error>
 
 #include "csg/base/error.h"
 #include "csg/base/number_text.h"
@@ -86,6 +88,15 @@ std::string PartLabel::difference(const PartLabel& other) const {
     if (i >= other.entries_.size() || entries_[i] != other.entries_[i]) return entries_[i].first;
   }
   return {};
+}
+
+std::ifstream open_part(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw Error(ErrorCode::input_output, {path, 0, 0}, "cannot read this file", std::generic_category().message(errno),
+                "give the paths of parts");
+  }
+  return file;
 }
 
 void check_alike(const std::string& path, const PartLabel& label, const std::string& first_path,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,6 +33,9 @@ class PartLabel {
  private:
   std::vector<std::pair<std::string, std::string>> entries_;
 };
+
+/// The file of a part, to read. Throws Error(input_output) if it cannot be opened.
+std::ifstream open_part(const std::string& path);
 
 /// Throws Error(usage) if two parts were not made from the same scene with the same options.
 void check_alike(const std::string& path, const PartLabel& label, const std::string& first_path,

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <fstream>
 #include <optional>
-#include <system_error>
 
 #include "cli/output/printable.h"
 #include "cli/output/usage.h"
@@ -52,15 +50,6 @@ struct RowPart {
               "give files that csgcast render --tiles, or csgcast intervals --rows --format csv or json, has written");
 }
 
-std::ifstream open(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw Error(ErrorCode::input_output, {path, 0, 0}, "cannot read this file", std::generic_category().message(errno),
-                "give the paths of parts");
-  }
-  return file;
-}
-
 bool read_mark(std::string_view mark, RowPart& part) {
   const std::string_view range = mark.substr(0, mark.find("; "));
   part.label = PartLabel::from(mark.substr(std::min(range.size() + 2, mark.size())));
@@ -76,7 +65,7 @@ bool read_mark(std::string_view mark, RowPart& part) {
 RowPart read_part(const std::string& path) {
   RowPart part;
   part.path = path;
-  std::ifstream file = open(path);
+  std::ifstream file = open_part(path);
   file.seekg(0, std::ios::end);
   const std::streamoff end = file.tellg();
   if (end < 0) not_a_part(path, "it is no regular file");
@@ -123,7 +112,7 @@ void check_complete(const std::vector<RowPart>& parts) {
 
 /// Copies [from, to) of a file.
 void copy_body(const RowPart& part, std::uint64_t from, Output& output) {
-  std::ifstream file = open(part.path);
+  std::ifstream file = open_part(part.path);
   file.seekg(static_cast<std::streamoff>(from));
   std::string buffer(std::size_t{1} << 16, '\0');
   for (std::uint64_t left = part.body_end - from; left > 0;) {

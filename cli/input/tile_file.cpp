@@ -6,12 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <charconv>
 #include <cstring>
 #include <fstream>
 #include <optional>
-#include <system_error>
 
 #include "csg/base/error.h"
 
@@ -91,15 +89,6 @@ bool is_possible(const TileHead& head) {
               "give files that csgcast render --tiles has written");
 }
 
-std::ifstream open(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw Error(ErrorCode::input_output, {path, 0, 0}, "cannot read this file", std::generic_category().message(errno),
-                "give the paths of parts");
-  }
-  return file;
-}
-
 TileHead read_head(std::ifstream& file, const std::string& path) {
   constexpr int most_lines = 64;
   constexpr std::size_t longest_line = 1024;
@@ -163,7 +152,7 @@ void write_tile(const TileHead& head, const Film& film, Output& output) {
 }
 
 bool is_tile(const std::string& path) {
-  std::ifstream file = open(path);
+  std::ifstream file = open_part(path);
   std::array<char, magic.size()> start{};
   file.read(start.data(), start.size());
   return file.good() && std::string_view(start.data(), start.size()) == magic;
@@ -174,7 +163,7 @@ JoinedPicture join_tiles(const std::vector<std::string>& paths) {
   TileHead first;
   std::vector<const std::string*> given;
   for (const std::string& path : paths) {
-    std::ifstream file = open(path);
+    std::ifstream file = open_part(path);
     const TileHead head = read_head(file, path);
     if (!film) {
       first = head;

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <future>
-#include <mutex>
 
 #include "csg/base/error.h"
 #include "shade/module/module_version.h"

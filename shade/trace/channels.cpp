@@ -6,11 +6,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "csg/base/error.h"
+#include "csg/base/precondition.h"
 #include "raycast/packets/packet_caster.h"
 #include "raycast/packets/threads.h"
 #include "shade/film/camera.h"
@@ -111,14 +113,11 @@ void each_row(int height, const ProgressCallback& callback, MakeWorker&& make_wo
   progress.finish();
 }
 
-std::optional<Cells> cells_for(const Scene& scene, const Camera& camera, const RenderOptions& options) {
-  return options.engine == Engine::packets && camera.rays_are_in_range() ? std::optional<Cells>(scene) : std::nullopt;
-}
-
-int grid_of(int samples) {
-  int grid = 1;
-  while (grid * grid < samples) ++grid;
-  return grid;
+/// The cells of packets: those kept, else new ones in `own`. Null where rays are cast one by one.
+const Cells* cells_for(const Scene& scene, const Camera& camera, const RenderOptions& options, const KeptCells& kept,
+                       std::optional<Cells>& own) {
+  if (options.engine != Engine::packets || !camera.rays_are_in_range()) return nullptr;
+  return kept.cells != nullptr ? kept.cells : &own.emplace(scene);
 }
 
 /// Whether each of a row's samples meets the solid.
@@ -154,11 +153,9 @@ class RowHits {
   std::vector<std::uint8_t> hits_;
 };
 
-Film with_alpha(const Scene& scene, const View& view, const RenderOptions& options, const Film& film,
-                const ProgressCallback& progress) {
-  const Camera camera(view.camera, options.width, options.height);
-  const std::optional<Cells> cells = cells_for(scene, camera, options);
-  const int k = grid_of(options.samples);
+Film with_alpha(const Scene& scene, const View& view, const Camera& camera, const Cells* cells,
+                const RenderOptions& options, const Film& film, const ProgressCallback& progress) {
+  const int k = grid(options);
   const double share = 1.0 / (k * k);
   Film result(film.width(), film.height(), FilmContent::color_alpha);
   const auto row = [&](RowHits& worker, int y) {
@@ -186,7 +183,7 @@ Film with_alpha(const Scene& scene, const View& view, const RenderOptions& optio
     }
   };
   each_row(
-      film.height(), progress, [&] { return RowHits(scene, cells ? &*cells : nullptr, options); }, row);
+      film.height(), progress, [&] { return RowHits(scene, cells, options); }, row);
   return result;
 }
 
@@ -211,15 +208,17 @@ std::vector<std::string> names_in_file(Channel channel) {
 }
 
 std::vector<Film> channel_films(const Scene& scene, const View& view, const RenderOptions& options,
-                                std::span<const Channel> channels) {
+                                std::span<const Channel> channels, const KeptCells& kept) {
+  CSGCAST_PRECONDITION(kept.cells == nullptr || &kept.cells->scene() == &scene);
   check(options);
   std::vector<Film> films;
   for (const Channel channel : channels) films.emplace_back(options.width, options.height, content_of(channel));
   on_threads(options.threads, [&] {
     const Camera camera(view.camera, options.width, options.height);
-    const std::optional<Cells> cells = cells_for(scene, camera, options);
+    std::optional<Cells> own;
+    const Cells* cells = cells_for(scene, camera, options, kept, own);
     each_row(
-        options.height, options.progress, [&] { return RowSights(scene, cells ? &*cells : nullptr, camera, options); },
+        options.height, options.progress, [&] { return RowSights(scene, cells, camera, options); },
         [&](RowSights& worker, int y) {
           const std::span<const Sight> sights = worker.look(y);
           for (int x = 0; x < options.width; ++x) {
@@ -231,7 +230,9 @@ std::vector<Film> channel_films(const Scene& scene, const View& view, const Rend
   return films;
 }
 
-Film render_with_alpha(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report) {
+Film render_with_alpha(const Scene& scene, const View& view, const RenderOptions& options, RenderReport* report,
+                       const KeptCells& kept) {
+  CSGCAST_PRECONDITION(kept.cells == nullptr || &kept.cells->scene() == &scene);
   if (options.mode != Mode::shaded || options.sampling != Sampling::regular) {
     throw Error(ErrorCode::usage, {}, "alpha in a picture of another mode than shaded, or of adaptive samples",
                 "it is the share of a pixel's rays that meet the solid", "take regular samples, or leave alpha out");
@@ -241,11 +242,21 @@ Film render_with_alpha(const Scene& scene, const View& view, const RenderOptions
     if (!options.progress) return {};
     return [&callback = options.progress, done](const Progress& p) { return callback({done + p.share / 2}); };
   };
-  RenderOptions first = options;
-  first.progress = half(0);
-  const Film film = render(scene, view, first, report);
+  check(options);
   std::optional<Film> result;
-  on_threads(options.threads, [&] { result = with_alpha(scene, view, options, film, half(0.5)); });
+  on_threads(options.threads, [&] {
+    using Clock = std::chrono::steady_clock;
+    const Camera camera(view.camera, options.width, options.height);
+    const auto start = Clock::now();
+    std::optional<Cells> own;
+    const Cells* cells = cells_for(scene, camera, options, kept, own);
+    if (report != nullptr) report->cells_seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    RenderOptions first = options;
+    first.threads = 0;  // the present ones
+    first.progress = half(0);
+    const Film film = render(scene, view, first, report, {cells, kept.layer_cells});
+    result = with_alpha(scene, view, camera, cells, options, film, half(0.5));
+  });
   return std::move(*result);
 }
 

@@ -29,14 +29,15 @@ enum class Channel : std::uint8_t {
 std::vector<std::string> names_in_file(Channel channel);
 
 /// A film for each of the channels, certified like Mode::depth, Mode::normal and Mode::id. Of the options width,
-/// height, instructions, threads and progress count. Throws as render() does.
+/// height, engine, instructions, threads and progress count. Throws as render() does. Precondition: `kept` is of this
+/// scene.
 std::vector<Film> channel_films(const Scene& scene, const View& view, const RenderOptions& options,
-                                std::span<const Channel> channels);
+                                std::span<const Channel> channels, const KeptCells& kept = {});
 
 /// A shaded picture with alpha: the share of a pixel's rays that meet the solid. The background that the other rays see
 /// is taken out; reflected and transmitted rays see it as ever. Colours are multiplied by alpha. Throws as render()
-/// does, and Error(usage) for other modes and adaptive samples.
+/// does, and Error(usage) for other modes and adaptive samples. Precondition: `kept` is of this scene.
 Film render_with_alpha(const Scene& scene, const View& view, const RenderOptions& options,
-                       RenderReport* report = nullptr);
+                       RenderReport* report = nullptr, const KeptCells& kept = {});
 
 }  // namespace csgcast

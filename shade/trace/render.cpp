@@ -66,14 +66,6 @@ void check(const RenderOptions& options) {
 
 namespace {
 
-// Samples a pixel along each axis.
-int grid_of(const RenderOptions& options) {
-  const bool averages = options.mode == Mode::shaded || options.mode == Mode::edges || options.mode == Mode::xray;
-  int grid = 1;
-  while (averages && grid * grid < options.samples) ++grid;
-  return grid;
-}
-
 using Tiles = std::vector<detail::Tile>;
 
 Tiles tiles_of(const detail::Tile& area) {
@@ -227,8 +219,8 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
   const Camera camera(view.camera, options.width, options.height);
   // What is there before the first ray: memory for the picture, and the code for this machine. Before the cells, which
   // are to be in the cache then.
-  const int grid = grid_of(options);
-  const Sampling sampling = grid > 1 ? options.sampling : Sampling::regular;
+  const int k = grid(options);
+  const Sampling sampling = k > 1 ? options.sampling : Sampling::regular;
   const Canvas canvas(options, sampling);
   Film film(canvas.film.width(), canvas.film.height(), content(options.mode));
   detail::shading_code(options.instructions);
@@ -252,7 +244,7 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
                         .width = options.width,
                         .height = options.height,
                         .origin = {canvas.film.x0, canvas.film.y0},
-                        .grid = grid,
+                        .grid = k,
                         .sampling = sampling,
                         .cells = cells,
                         .layer_cells = layer_cells,
@@ -268,7 +260,7 @@ Film render_here(const Scene& scene, const View& view, const RenderOptions& opti
     RenderReport cost = workers.report();
     const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
     if (adaptive) {
-      cost.skipped.primary_like_neighbours = (pixels - cost.refined_pixels) * static_cast<unsigned>(grid * grid - 1);
+      cost.skipped.primary_like_neighbours = (pixels - cost.refined_pixels) * static_cast<unsigned>(k * k - 1);
     }
     cost.cells_seconds = std::chrono::duration<double>(start - before_cells).count();
     cost.cpu_seconds = cpu_seconds() - cpu_start;
@@ -295,6 +287,14 @@ FilmContent content(Mode mode) {
       return FilmContent::id;
   }
   return FilmContent::color;
+}
+
+bool takes_samples(Mode mode) { return mode == Mode::shaded || mode == Mode::edges || mode == Mode::xray; }
+
+int grid(const RenderOptions& options) {
+  int k = 1;
+  while (takes_samples(options.mode) && k * k < options.samples) ++k;
+  return k;
 }
 
 bool asks_layers(const Scene& scene, const View& view, const RenderOptions& options) {

@@ -60,6 +60,12 @@ struct RenderOptions {
   ProgressCallback progress{};
 };
 
+/// Whether a picture in this mode averages several rays a pixel.
+bool takes_samples(Mode mode);
+
+/// Rays a pixel along each axis: the least k with k² of at least the samples; 1 in modes that take one ray.
+int grid(const RenderOptions& options);
+
 /// Throws what render() throws for sizes, samples and instructions.
 void check(const RenderOptions& options);
 

@@ -119,6 +119,12 @@ TEST_CASE("tiles are numbered below their count, have a row at least, and are ca
   CHECK(starts(render("0/42", "a.csgtile"), "csgcast: error: tile 0/42 of a picture of 41 rows"));
   CHECK(starts(render("1", "a.csgtile"), "csgcast: error: --tiles: '1' has no '/'"));
   CHECK(starts(render("0/3", "a.png"), "a.png: error: not the name of a tile"));
+  for (const std::vector<std::string>& more :
+       std::vector<std::vector<std::string>>{{"--bits", "16"}, {"--alpha"}, {"--channels", "color,depth"}}) {
+    std::vector<std::string> arguments{"render", "scene.csg", "--tiles", "0/3", "-o", "a.csgtile"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    CHECK(starts(folder.error(arguments), "csgcast: error: " + more[0] + " cannot be given beside --tiles"));
+  }
 }
 
 TEST_CASE("rows joined are byte for byte the intervals of one run") {

@@ -207,48 +207,36 @@ def test_results_outlive_the_model():
 
 MANY = np.zeros((20000, 3)) + [0.7, 0.7, -5]
 
-# Every method that takes a progress callback.
+# Every method that takes a progress callback and a number of threads.
 LONG_CALLS = {
-    "intervals": lambda m, progress: m.intervals(MANY, [0, 0, 1], progress=progress).t,
-    "first_hits": lambda m, progress: m.first_hits(MANY, [0, 0, 1], progress=progress).t,
-    "any_hits": lambda m, progress: m.any_hits(MANY, [0, 0, 1], progress=progress),
-    "locate": lambda m, progress: m.locate(MANY, progress=progress),
-    "thickness": lambda m, progress: m.thickness(MANY, [0, 0, 1], progress=progress),
-    "measure": lambda m, progress: m.measure(progress=progress).volume,
-    "section": lambda m, progress: m.section([0, 0.1, 1], progress=progress).area,
-    "thinnest": lambda m, progress: m.thinnest(30, progress=progress)[0],
-    "check": lambda m, progress: m.check(progress=progress).not_asked,
-    "render": lambda m, progress: m.render(100, 80, progress=progress),
-}
-# The same, on so many threads.
-ON_THREADS = {
-    "intervals": lambda m, threads: m.intervals(MANY, [0, 0, 1], threads=threads).t,
-    "first_hits": lambda m, threads: m.first_hits(MANY, [0, 0, 1], threads=threads).t,
-    "any_hits": lambda m, threads: m.any_hits(MANY, [0, 0, 1], threads=threads),
-    "locate": lambda m, threads: m.locate(MANY, threads=threads),
-    "thickness": lambda m, threads: m.thickness(MANY, [0, 0, 1], threads=threads),
-    "measure": lambda m, threads: m.measure(threads=threads).volume,
-    "section": lambda m, threads: m.section([0, 0.1, 1], threads=threads).area,
-    "thinnest": lambda m, threads: m.thinnest(30, threads=threads)[0],
-    "check": lambda m, threads: m.check(threads=threads).not_asked,
-    "render": lambda m, threads: m.render(100, 80, threads=threads),
+    "intervals": lambda m, **how: m.intervals(MANY, [0, 0, 1], **how).t,
+    "first_hits": lambda m, **how: m.first_hits(MANY, [0, 0, 1], **how).t,
+    "any_hits": lambda m, **how: m.any_hits(MANY, [0, 0, 1], **how),
+    "locate": lambda m, **how: m.locate(MANY, **how),
+    "thickness": lambda m, **how: m.thickness(MANY, [0, 0, 1], **how),
+    "measure": lambda m, **how: m.measure(**how).volume,
+    "section": lambda m, **how: m.section([0, 0.1, 1], **how).area,
+    "thinnest": lambda m, **how: m.thinnest(30, **how)[0],
+    "check": lambda m, **how: m.check(**how).not_asked,
+    "render": lambda m, **how: m.render(100, 80, **how),
 }
 
 
 def test_the_list_of_long_calls_is_whole():
-    taking = {name for name, method in inspect.getmembers(csgcast.Model, inspect.isfunction)
-              if "progress" in inspect.signature(method).parameters}
-    assert taking == set(LONG_CALLS) == set(ON_THREADS)
+    for option in ("progress", "threads"):
+        taking = {name for name, method in inspect.getmembers(csgcast.Model, inspect.isfunction)
+                  if not name.startswith("_") and option in inspect.signature(method).parameters}
+        assert taking == set(LONG_CALLS)
 
 
-@pytest.mark.parametrize("name", ON_THREADS)
+@pytest.mark.parametrize("name", LONG_CALLS)
 def test_any_number_of_threads_gives_the_same(model, name):
-    call = ON_THREADS[name]
-    want = call(model, 0)
+    call = LONG_CALLS[name]
+    want = call(model, threads=0)
     for threads in (1, 3):
-        assert np.array_equal(call(model, threads), want)
+        assert np.array_equal(call(model, threads=threads), want)
     with pytest.raises(ValueError, match="threads"):
-        call(model, -1)
+        call(model, threads=-1)
 
 
 def test_models_are_made_on_any_number_of_threads(model):
@@ -270,12 +258,12 @@ def test_one_thread_is_the_one_that_calls(model):
 @pytest.mark.parametrize("name", LONG_CALLS)
 def test_progress_tells_cancels_by_false_and_passes_on_what_it_raises(model, name):
     call = LONG_CALLS[name]
-    want = call(model, None)
+    want = call(model, progress=None)
     shares = []
-    assert np.array_equal(call(model, shares.append), want)
+    assert np.array_equal(call(model, progress=shares.append), want)
     assert shares == sorted(shares) and len(shares) >= 2 and 0 <= shares[0] <= 1 and shares[-1] == 1
     for goes_on in (None, True, 0, "", np.True_):
-        assert np.array_equal(call(model, lambda share: goes_on), want)
+        assert np.array_equal(call(model, progress=lambda share: goes_on), want)
     for cancels in (False, np.False_):
         told = []
 
@@ -284,7 +272,7 @@ def test_progress_tells_cancels_by_false_and_passes_on_what_it_raises(model, nam
             return cancels if len(told) == 2 else None
 
         with pytest.raises(csgcast.Cancelled):
-            call(model, stop)
+            call(model, progress=stop)
         assert len(told) == 2
 
     class Enough(Exception):
@@ -294,7 +282,7 @@ def test_progress_tells_cancels_by_false_and_passes_on_what_it_raises(model, nam
         raise Enough
 
     with pytest.raises(Enough):
-        call(model, fail)
+        call(model, progress=fail)
 
 
 def test_a_cancelled_picture_is_not_written(tmp_path, model):

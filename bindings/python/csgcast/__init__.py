@@ -295,8 +295,7 @@ class Model:
     def thickness(self, origins, directions, *, threads=0, progress=None):
         """How thick the solid is at the first face that each ray enters by, from there straight in to the boundary again: (rays,);
         0 where a ray enters by none, inf where nothing ends the solid."""
-        origins, directions = _np.broadcast_arrays(_rows(origins), _rows(directions))
-        return _core._thickness(self._model, origins, directions, progress, threads)
+        return self._model.thickness(origins, directions, progress, threads)
 
     def measure(self, relative_error=1e-4, area_error=1e-3, *, threads=0, progress=None, enough=None):
         """Volume, area, mass, centroid, inertia and bounds, as Measures; errors of volume and area relative to them are as

@@ -149,8 +149,6 @@ def _ask(model, call, origins, directions, options):
     if call == "thickness":
         return {"thickness": found}
     arrays = {key: getattr(found, key) for key in found.__dataclass_fields__}
-    if call == "intervals":
-        arrays["offsets"] = arrays["offsets"].astype(np.int64)
     return {key: array for key, array in arrays.items() if array is not None}
 
 
@@ -163,8 +161,7 @@ def _answer(folder, key, call, options, threads, index, first, count, source, *p
         rows = {len(part) for part in (origins, directions) if part is not None and np.ndim(part) == 2}
         if rows - {count}:
             raise _error(f"shard {index} got {max(rows - {count})} rays", f"{count} belong to it", "give as many as are counted")
-        with _core._ThreadLimit(threads):
-            arrays = _ask(model, call, origins, directions, options)
+        arrays = _ask(model, call, origins, directions, {**options, "threads": threads})
         _write_shard(folder, shard, arrays, {"first": first, "count": count, "intervals": len(arrays["t"]) if call == "intervals" else 0})
     return index
 
@@ -173,8 +170,7 @@ def _draw(folder, model_name, key, options, threads, camera, region, name):
     """A task: makes one tile of a picture."""
     if not (Path(folder) / name).exists():
         model = _model(folder, model_name, key)
-        with _core._ThreadLimit(threads):
-            picture = model.render(**options, camera=camera, region=region)
+        picture = model.render(**options, camera=camera, region=region, threads=threads)
         _write_whole(Path(folder) / name, lambda file: np.save(file, picture))
     return name
 
@@ -257,6 +253,11 @@ def _client(distributed, client):
 def _window(client, window):
     threads = sum(worker["nthreads"] for worker in client.scheduler_info()["workers"].values())
     return max(2 * threads, 2) if window is None else max(int(window), 1)
+
+
+def _check_threads(threads):
+    if threads < 1:
+        raise ValueError("threads must be 1 or more")
 
 
 def _hash(*things):
@@ -485,8 +486,7 @@ class Shards:
     def _offsets(self, parts):
         """Of all shards as if they were one."""
         before = np.cumsum([0, *(shard["intervals"] for shard in self.shards)])
-        pieces = [part[:-1].astype(np.int64) + start for part, start in zip(parts, before)]
-        return np.concatenate([*pieces, before[-1:].astype(np.int64)])
+        return np.concatenate([*(part[:-1] + start for part, start in zip(parts, before)), before[-1:]])
 
     def __repr__(self):
         return f"<csgcast.distributed.Shards: {self.call}, {self.count} rays in {len(self.shards)} shards, in {str(self.folder)!r}>"
@@ -498,6 +498,7 @@ def _ask_all(call, model, rays, directions, options, *, folder, count, shard, cl
         raise TypeError("model must be a csgcast.Model: compile the solid")
     if folder is None:
         raise ValueError("folder= says where the answer goes")
+    _check_threads(threads)
     source = _source(rays, directions, count, shard, call == "locate")
     client = _client(distributed, client)
     payload = pickle.dumps(model, protocol=4)
@@ -595,7 +596,7 @@ class Frames:
             yield self[frame]
 
     def __repr__(self):
-        return f"<csgcast.distributed.Frames: {self._frames} of {self._tiles} tiles, in {str(self.folder)!r}>"
+        return f"<csgcast.distributed.Frames: frames: {self._frames}, tiles of each: {self._tiles}, in {str(self.folder)!r}>"
 
 
 def _tile_name(frame, tile):
@@ -620,6 +621,7 @@ def render(model, width=800, height=600, *, folder, cameras=None, tiles=1, sampl
     regions = [_core._band(width, height, tile, tiles) for tile in range(tiles)]
     if not regions:
         raise ValueError("tiles must be 1 or more")
+    _check_threads(threads)
     client = _client(distributed, client)
     keys, payloads = [], {}
     for one in models:

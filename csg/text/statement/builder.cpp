@@ -119,12 +119,8 @@ void Builder::set_specials(std::span<const Node> nodes, SpecialVariables& specia
   for (const Node& node : nodes) {
     if (!is_special_variable(node) || is_skipped(node)) continue;
     const Call variable(node, document_.file, value, options_, {}, scene_.warnings);
-    if (node.name == "$fn") {
-      specials.fn = variable.number("value");
-    } else if (node.name == "$fa") {
-      specials.fa = variable.number("value");
-    } else if (node.name == "$fs") {
-      specials.fs = variable.number("value");
+    if (std::optional<double>* special = specials.find(node.name)) {
+      *special = variable.number("value");
     } else {
       variable.warn(fmt::format("'{}' has no effect here: only $fn, $fa and $fs do", shortened(node.name)));
     }
@@ -204,16 +200,11 @@ Builder::Operator Builder::open(const Node& node, const Statement& statement, co
                                 Below below) {
   const bool is_part = node.name == "part";
   if (is_part) require_part_allowed(node, below);
-  const Call arguments = call(node, statement);
+  const Call arguments = call(node, statement, below.specials);
   Combine combine = meaning.make(arguments);
   if (is_part) warn_of_repeated_part(arguments);
   below.top = false;
-  const auto set = [&](std::optional<double>& value, std::string_view name) {
-    if (const std::optional<double> own = arguments.number(name)) value = own;
-  };
-  set(below.specials.fn, "$fn");
-  set(below.specials.fa, "$fa");
-  set(below.specials.fs, "$fs");
+  below.specials = arguments.specials();
   set_specials(node.children, below.specials);
   if (meaning.parts == OperatorStatement::Parts::forbidden) below.forbids_parts = &node;
   return {std::move(combine), below};

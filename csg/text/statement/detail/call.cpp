@@ -135,16 +135,18 @@ std::optional<double> Call::number(std::string_view name) const {
 
 double Call::number_or(std::string_view name, double otherwise) const { return number(name).value_or(otherwise); }
 
+SpecialVariables Call::specials() const {
+  SpecialVariables said = specials_;
+  for (const std::string_view name : SpecialVariables::names) {
+    if (const std::optional<double> own = number(name)) *said.find(name) = own;
+  }
+  return said;
+}
+
 Fineness Call::fineness() const {
-  Fineness fineness;
-  const auto set = [&](double& value, std::string_view name, const std::optional<double>& above) {
-    const std::optional<double> own = number(name);
-    if (own || above) value = own ? *own : *above;
-  };
-  set(fineness.fn, "$fn", specials_.fn);
-  set(fineness.fa, "$fa", specials_.fa);
-  set(fineness.fs, "$fs", specials_.fs);
-  return fineness;
+  constexpr Fineness otherwise;
+  const SpecialVariables said = specials();
+  return {said.fn.value_or(otherwise.fn), said.fa.value_or(otherwise.fa), said.fs.value_or(otherwise.fs)};
 }
 
 double Call::required_number(std::string_view name) const {

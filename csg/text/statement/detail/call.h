@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,9 +26,16 @@ struct Parameters {
 
 /// What statements say of `$fn`, `$fa` and `$fs` to all that is below them.
 struct SpecialVariables {
+  static constexpr std::array<std::string_view, 3> names{"$fn", "$fa", "$fs"};
+
   std::optional<double> fn{};
   std::optional<double> fa{};
   std::optional<double> fs{};
+
+  /// What is said of one of the names; null for another name.
+  std::optional<double>* find(std::string_view name) {
+    return name == "$fn" ? &fn : name == "$fa" ? &fa : name == "$fs" ? &fs : nullptr;
+  }
 };
 
 /// Whether OpenSCAD reads the value as undef: `undef`, `inf`, `nan`.
@@ -59,8 +67,9 @@ class Call {
   std::optional<double> number(std::string_view name) const;
   double number_or(std::string_view name, double otherwise) const;
   double required_number(std::string_view name) const;
-  /// `$fn`, `$fa` and `$fs` of this statement: its own argument, else what the statements around it say, else
-  /// OpenSCAD's default.
+  /// `$fn`, `$fa` and `$fs` of this statement: its own arguments, else what the statements around it say.
+  SpecialVariables specials() const;
+  /// The same, with OpenSCAD's defaults for what nothing says.
   Fineness fineness() const;
   bool boolean_or(std::string_view name, bool otherwise) const;
   std::optional<std::string> string(std::string_view name) const;

@@ -10,9 +10,9 @@
 namespace csgcast::text {
 namespace {
 
-/// OpenSCAD lets every solid have these, also where they mean nothing.
-Parameters solid_parameters(std::vector<std::string_view> positional, std::vector<std::string_view> named = {}) {
-  named.insert(named.end(), {"$fn", "$fa", "$fs"});
+/// With `$fn`, `$fa` and `$fs`: OpenSCAD lets all solids and operators have them, also where they mean nothing.
+Parameters with_specials(std::vector<std::string_view> positional, std::vector<std::string_view> named = {}) {
+  named.insert(named.end(), SpecialVariables::names.begin(), SpecialVariables::names.end());
   return {std::move(positional), std::move(named)};
 }
 
@@ -20,23 +20,23 @@ void add_solids(std::vector<Statement>& table) {
   const auto add = [&](std::string_view name, Parameters parameters, Solid (*make)(const Call&)) {
     table.push_back({name, std::move(parameters), SolidStatement{make}});
   };
-  add("cube", solid_parameters({"size", "center"}), make_cube);
-  add("sphere", solid_parameters({"r"}, {"d"}), make_sphere);
-  add("cylinder", solid_parameters({"h", "r1", "r2", "center"}, {"r", "d", "d1", "d2"}), make_cylinder);
-  add("ellipsoid", solid_parameters({"r"}), make_ellipsoid);
-  add("paraboloid", solid_parameters({"h", "r"}), make_paraboloid);
-  add("hyperboloid", solid_parameters({"h", "r", "waist"}), make_hyperboloid);
-  add("quadric", solid_parameters({"A", "b", "c"}), make_quadric);
-  add("halfspace", solid_parameters({"n", "d"}), make_halfspace);
-  add("convex", solid_parameters({}, {"points", "planes"}), make_convex);
-  add("polyhedron", solid_parameters({"points", "faces", "convexity"}, {"triangles"}), make_polyhedron);
+  add("cube", with_specials({"size", "center"}), make_cube);
+  add("sphere", with_specials({"r"}, {"d"}), make_sphere);
+  add("cylinder", with_specials({"h", "r1", "r2", "center"}, {"r", "d", "d1", "d2"}), make_cylinder);
+  add("ellipsoid", with_specials({"r"}), make_ellipsoid);
+  add("paraboloid", with_specials({"h", "r"}), make_paraboloid);
+  add("hyperboloid", with_specials({"h", "r", "waist"}), make_hyperboloid);
+  add("quadric", with_specials({"A", "b", "c"}), make_quadric);
+  add("halfspace", with_specials({"n", "d"}), make_halfspace);
+  add("convex", with_specials({}, {"points", "planes"}), make_convex);
+  add("polyhedron", with_specials({"points", "faces", "convexity"}, {"triangles"}), make_polyhedron);
 }
 
 void add_operators(std::vector<Statement>& table) {
   using enum OperatorStatement::Parts;
   const auto add = [&](std::string_view name, std::vector<std::string_view> positional, Combine (*make)(const Call&),
                        OperatorStatement::Parts parts = allowed) {
-    table.push_back({name, {std::move(positional), {"$fn", "$fa", "$fs"}}, OperatorStatement{make, parts}});
+    table.push_back({name, with_specials(std::move(positional)), OperatorStatement{make, parts}});
   };
   add("union", {}, make_union);
   add("group", {}, make_union);
