@@ -124,14 +124,14 @@ TEST_CASE("C: facets, welding and parts are chosen on loading") {
     REQUIRE(csgcast_read_with(text.data(), text.size(), "text", &options, &model) == CSGCAST_OK);
     csgcast_measures measures;
     CHECK(csgcast_part_count(model) == 1);
-    REQUIRE(csgcast_measure(model, 1e-6, 1e-2, nullptr, &measures) == CSGCAST_OK);
+    REQUIRE(csgcast_measure(model, 1e-4, 1e-2, nullptr, &measures) == CSGCAST_OK);
     csgcast_free(model);
     return measures.volume;
   };
   const double round = volume_with({sizeof(csgcast_options), CSGCAST_FACETS_AUTO, -1, names, 1});
-  CHECK(round == Approx(4.0 / 3 * M_PI).epsilon(1e-5));
-  CHECK(volume_with({sizeof(csgcast_options), CSGCAST_FACETS_NEVER, 0, names, 1}) == Approx(round).epsilon(1e-5));
-  CHECK(volume_with({sizeof(csgcast_options), CSGCAST_FACETS_ALWAYS, 1e-9, names, 1}) < 0.9999 * round);
+  CHECK(round == Approx(4.0 / 3 * M_PI).epsilon(2e-4));
+  CHECK(volume_with({sizeof(csgcast_options), CSGCAST_FACETS_NEVER, 0, names, 1}) == Approx(round).epsilon(2e-4));
+  CHECK(volume_with({sizeof(csgcast_options), CSGCAST_FACETS_ALWAYS, 1e-9, names, 1}) < 0.999 * round);
 
   csgcast_model* model = nullptr;
   const char* const nobody[] = {"nobody"};

@@ -79,7 +79,7 @@ TEST_CASE("A plate too thin for anybody to find a point in it has bounds all the
 
 TEST_CASE("Bounds of random solids hold what rays and points find in them") {
   RandomSolids random(3);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < test::times(60); ++round) {
     const Scene scene = compile(random.tree(1 + round % 6));
     const Measures m = measure(scene, scene.root(), 1);
     if (!m.is_bounded) continue;
@@ -121,7 +121,7 @@ TEST_CASE("Without parts mass is volume") {
 
 TEST_CASE("The answer does not depend on the number of threads") {
   RandomSolids random(21);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < test::times(10); ++round) {
     const Scene scene = compile(random.tree(5));
     const auto on_threads = [&](int threads) {
       tbb::task_arena arena(threads);

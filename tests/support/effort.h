@@ -15,6 +15,9 @@ constexpr bool is_sanitized = false;
 /// How often a test repeats what it does. Sanitizers need to see it only once, so they get an eighth.
 constexpr int times(int plain) { return is_sanitized ? (plain + 7) / 8 : plain; }
 
+/// Of a test's cases that differ in several ways at once: every how many of them it takes. No small number divides it.
+constexpr int stride = is_sanitized ? 7 : 1;
+
 /// Whether CSGCAST_LONG=1 asks for the long run of a test.
 inline bool long_run() {
   const char* variable = std::getenv("CSGCAST_LONG");
