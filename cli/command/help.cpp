@@ -48,7 +48,7 @@ Command help_command() {
                             {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}}));
   command.add(output_option(options->output));
   command.examples = {"csgcast help render", "csgcast help --man | man -l -",
-                      "csgcast help --completion bash > ~/.local/share/bash-completion/completions/csgcast"};
+                      "csgcast help --completion bash > csgcast.bash"};
   command.run = [options] {
     Output output(options->output);
     output.write(text_of(*options));

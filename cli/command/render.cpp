@@ -349,11 +349,12 @@ Command render_command() {
                .value = {},
                .help = "Take all samples only in pixels that do not look like those around",
                .take = into(options->adaptive)});
-  command.add(
-      {.names = "--camera",
-       .value = "ex,ey,ez,ax,ay,az",
-       .help = "The eye and the point looked at; or seven numbers: OpenSCAD's translation, rotation and distance",
-       .take = into(options->camera)});
+  command.add({.names = "--camera",
+               .value = "ex,ey,ez,ax,ay,az",
+               .help =
+                   "The eye and the point looked at; or seven numbers: OpenSCAD's translation, rotation and distance. "
+                   "Replaces the scene's camera; the field of view is 22.5 degrees",
+               .take = into(options->camera)});
   command.add({.names = "--tiles",
                .value = "i/n",
                .help = "Only tile i of n, bands of rows from 0 at the top, as .csgtile; join makes the picture of all",

@@ -33,7 +33,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import Error, Hits, Intervals, Model, _core
+from . import Error, Hits, Intervals, Model, _core, _told
 
 __all__ = ["Frames", "Shards", "any_hits", "first_hits", "intervals", "locate", "render", "thickness"]
 
@@ -614,7 +614,7 @@ def render(model, width=800, height=600, *, folder, cameras=None, tiles=1, sampl
     models = list(model) if isinstance(model, (list, tuple)) else [model]
     if not models or not all(isinstance(one, Model) for one in models):
         raise TypeError("model must be a csgcast.Model, or a list of them: compile the solid")
-    views = list(cameras) if isinstance(cameras, (list, tuple)) else [cameras]
+    views = [_told(view) for view in (cameras if isinstance(cameras, (list, tuple)) else [cameras])]
     frames = max(len(models), len(views)) if views else 0
     if not {len(models), len(views)} <= {1, frames} or frames == 0:
         raise ValueError("models and cameras must be as many, or one of them for all")
