@@ -2,7 +2,7 @@
 #include "model/section_file.h"
 
 #include "csg/base/error.h"
-#include "csg/base/whole_file.h"
+#include "csg/file/whole_file.h"
 #include "measure/section_json.h"
 #include "measure/section_svg.h"
 #include "model/section_image.h"

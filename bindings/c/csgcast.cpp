@@ -121,7 +121,8 @@ csgcast_model* made_of(text::Document document, const csgcast_options* given) {
   const Welding welding = options.weld == -1  ? Welding::derived()
                           : options.weld == 0 ? Welding{}
                                               : Welding::by_hand(options.weld);
-  SceneDescription description = text::build(std::move(document), {facets_of(options.facets)});
+  SceneDescription description =
+      text::build(std::move(document), {facets_of(options.facets), options.skip_unsupported != 0});
   description.solid = selected(std::move(description.solid), options);
   return std::make_unique<csgcast_model>(csgcast_model{Model(std::move(description), welding)}).release();
 }

@@ -59,9 +59,10 @@ typedef struct csgcast_options {
                                -1: those that only the rounding of their own numbers keeps apart */
   const char* const* parts; /* the names of those that are all there is; NULL: the whole scene; none of them: nothing */
   size_t part_count;
+  int skip_unsupported; /* 1: statements of OpenSCAD that are not supported yet are left out; 0: they are an error */
 } csgcast_options;
 #define CSGCAST_OPTIONS \
-  { sizeof(csgcast_options), CSGCAST_FACETS_AUTO, -1, NULL, 0 }
+  { sizeof(csgcast_options), CSGCAST_FACETS_AUTO, -1, NULL, 0, 0 }
 csgcast_status csgcast_load_with(const char* path, const csgcast_options* options, csgcast_model** model);
 csgcast_status csgcast_read_with(const char* text, size_t length, const char* name, const csgcast_options* options,
                                  csgcast_model** model);

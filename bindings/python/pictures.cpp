@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bindings/python/bind.h"
-#include "csg/base/whole_file.h"
+#include "csg/file/whole_file.h"
 #include "csg/solid/rules/rules.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/statement/solid_text.h"
@@ -37,12 +37,12 @@ Mode mode_named(const std::string& name) {
   throw py::value_error("mode must be 'shaded', 'edges', 'xray', 'depth', 'normal' or 'id'");
 }
 
-SceneDescription read_text(const std::string& text, const std::string& facets) {
-  return text::build(text::read(text, "<text>"), {facets_named(facets)});
+SceneDescription read_text(const std::string& text, const std::string& facets, bool skip_unsupported) {
+  return text::build(text::read(text, "<text>"), {facets_named(facets), skip_unsupported});
 }
 
-SceneDescription load(const std::string& path, const std::string& facets) {
-  return text::build(text::read_file(path), {facets_named(facets)});
+SceneDescription load(const std::string& path, const std::string& facets, bool skip_unsupported) {
+  return text::build(text::read_file(path), {facets_named(facets), skip_unsupported});
 }
 
 std::vector<std::string> warnings_of(const SceneDescription& description) {
@@ -223,8 +223,8 @@ void bind_pictures(py::module_& m) {
                                return py::make_tuple(settings.max_depth, settings.min_contribution);
                              })
       .def_property_readonly("warnings", warnings_of);
-  m.def("_load", load, "path"_a, "facets"_a);
-  m.def("_read", read_text, "text"_a, "facets"_a);
+  m.def("_load", load, "path"_a, "facets"_a, "skip_unsupported"_a);
+  m.def("_read", read_text, "text"_a, "facets"_a, "skip_unsupported"_a);
   m.def("_text_of", [](const Solid& solid) { return text::write(text::document_of(solid)); });
   m.def("_save_text", [](const Solid& solid, const std::string& path) {
     WholeFile file(path);

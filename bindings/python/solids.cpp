@@ -237,13 +237,15 @@ void bind_primitives(py::module_& m) {
       "ellipsoid", [](const py::object& r) { return ellipsoid(vector_from(r, "r")); }, "r"_a,
       "ellipsoid(r)\n--\n\n"
       "An ellipsoid about the origin with three semi-axes.");
-  m.def("paraboloid", paraboloid, "h"_a, "r"_a,
-        "paraboloid(h, r)\n--\n\n"
-        "A paraboloid with its apex at the origin, open upwards, of radius r at z = h, where it ends.");
-  m.def("hyperboloid", hyperboloid, "h"_a, "r"_a, "waist"_a,
-        "hyperboloid(h, r, waist)\n--\n\n"
-        "A hyperboloid about the z axis, of radius waist at z = 0 and r at z = -h/2 and h/2, where it ends; waist 0 is "
-        "a double cone, waist > r a barrel.");
+  m.def(
+      "paraboloid", [](double h, double r) { return paraboloid(h, r); }, "h"_a, "r"_a,
+      "paraboloid(h, r)\n--\n\n"
+      "A paraboloid with its apex at the origin, open upwards, of radius r at z = h, where it ends.");
+  m.def(
+      "hyperboloid", [](double h, double r, double waist) { return hyperboloid(h, r, waist); }, "h"_a, "r"_a, "waist"_a,
+      "hyperboloid(h, r, waist)\n--\n\n"
+      "A hyperboloid about the z axis, of radius waist at z = 0 and r at z = -h/2 and h/2, where it ends; waist 0 is "
+      "a double cone, waist > r a barrel.");
   m.def("quadric", make_quadric, "A"_a, "b"_a, "c"_a,
         "quadric(A, b, c)\n--\n\n"
         "Where p' A p + b . p + c <= 0; A symmetric, 3 x 3.");

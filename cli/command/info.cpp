@@ -71,6 +71,12 @@ std::string as_text(const Info& info) {
   std::string out;
   append_row(out, "file", printable(info.file.string()));
   append_row(out, "statements", fmt::format("{}: {}", info.statements.total, list(info.statements.by_name)));
+  for (const auto& [name, lines] : info.statements.unsupported) {
+    const std::uint64_t count = info.statements.unsupported_by_name.at(name);
+    append_row(out, "left out",
+               fmt::format("{} {}, not supported yet: line{} {}{}", name, count, count == 1 ? "" : "s",
+                           fmt::join(lines, ", "), lines.size() < count ? ", .." : ""));
+  }
   append_row(out, "depth", fmt::format("{}", info.statements.depth));
   append_row(out, "leaves", fmt::format("{}: {}", scene.leaves().size(), list(info.leaves.by_kind)));
   append_row(out, "surfaces",
@@ -101,6 +107,10 @@ std::string as_text(const Info& info) {
   append_row(out, "settings",
              fmt::format("max_depth {}, min_contribution {}", description.settings.max_depth,
                          number(description.settings.min_contribution)));
+  if (description.digits.are_few())
+    append_row(out, "digits",
+               fmt::format("{}: a number that uses all of them is known to half a unit of its last",
+                           description.digits.count()));
   append_row(out, "warnings", fmt::format("{}", description.warnings.size()));
   append_row(out, "seconds",
              fmt::format("read {:.3f}, compile {:.3f}", info.input.read_seconds, info.input.compile_seconds));
@@ -159,7 +169,8 @@ void json_environment(Json& json, const SceneDescription& description) {
   if (description.background_image) json.member("background_image", description.background_image->path);
   json.key("settings").begin_object(Json::Layout::compact);
   json.member("max_depth", std::uint64_t(description.settings.max_depth));
-  json.member("min_contribution", description.settings.min_contribution).end_object();
+  json.member("min_contribution", description.settings.min_contribution);
+  json.member("digits", std::uint64_t(description.digits.count())).end_object();
   json.key("warnings").begin_array();
   for (const Warning& warning : description.warnings) json.value(to_string(warning));
   json.end_array();
@@ -172,6 +183,14 @@ std::string as_json(const Info& info) {
   json.begin_object().member("file", info.file.string());
   json.member("statements", info.statements.total).member("depth", info.statements.depth);
   json_tally(json, "statements_by_name", info.statements.by_name);
+  json.key("unsupported").begin_array();
+  for (const auto& [name, lines] : info.statements.unsupported) {
+    json.begin_object(Json::Layout::compact).member("name", name);
+    json.member("count", info.statements.unsupported_by_name.at(name)).key("lines").begin_array();
+    for (const int line : lines) json.value(std::uint64_t(line));
+    json.end_array().end_object();
+  }
+  json.end_array();
   json.member("leaves", std::uint64_t(scene.leaves().size()));
   json_tally(json, "leaves_by_kind", info.leaves.by_kind);
   json.key("surfaces").begin_object(Json::Layout::compact).member("planes", info.surfaces.planes);
@@ -197,6 +216,7 @@ void run(const InfoOptions& options) {
   Output output(options.output);
   SceneOptions scene_options = options.scene;
   scene_options.welding.lists_near_misses = scene_options.welding.mode != Welding::Mode::off;
+  scene_options.skips_unsupported = true;  // they are listed
   DocumentInput document = read_document(scene_options);
   const FileName file = document.document.file;
   const StatementSummary statements = summarise_statements(document.document);

@@ -10,7 +10,7 @@
 #include "cli/output/format.h"
 #include "cli/output/json.h"
 #include "cli/output/labelled_row.h"
-#include "cli/output/leaf_name.h"
+#include "cli/output/opening_text.h"
 #include "cli/output/output.h"
 #include "cli/output/printable.h"
 #include "cli/output/stopwatch.h"
@@ -51,6 +51,7 @@ double parse_share(const std::string& option, const std::string& text) {
 std::string certain_digits(double value, double error) {
   if (std::isinf(error)) return "unknown";
   if (!std::isfinite(value) || !(error > 0)) return number(value);
+  if (std::fabs(value) <= error) return "0";
   const int digits = static_cast<int>(std::ceil(std::log10(std::fmax(std::fabs(value) / error, 1)))) + 1;
   const std::string text = fmt::format("{:.{}g}", value, std::min(digits, 17));
   return text == "-0" ? "0" : text;
@@ -68,15 +69,6 @@ std::string coordinates(const Triple& t, double error) {
   return fmt::format("{}, {}, {}", certain_digits(t.x, error), certain_digits(t.y, error), certain_digits(t.z, error));
 }
 
-/// `: halfspace at 3:1`, of the first leaf that is unbounded.
-std::string unbounded_leaf(const Scene& scene) {
-  for (const Node& node : scene.nodes()) {
-    if (node.op != Node::Op::leaf || node.box.is_finite() || node.box.is_null()) continue;
-    return ": " + leaf_name(scene, LeafId(node.first));
-  }
-  return "";
-}
-
 /// The moments about the centroid, each with its axis and what that may be turned by.
 void append_principal(std::string& out, const Measures& m) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -92,8 +84,7 @@ void append_principal(std::string& out, const Measures& m) {
 
 void append_measures(std::string& out, const Scene& scene, const Measures& m) {
   if (!m.is_bounded)
-    return append_row(out, "volume",
-                      "none: the solid may be unbounded" + unbounded_leaf(scene) + "; measured are parts");
+    return append_row(out, "volume", fmt::format("none: the solid {}; measured are parts", opening_text(scene)));
   append_row(out, "volume", with_error(m.volume));
   append_row(out, "area", with_error(m.area));
   append_row(out, "mass", with_error(m.mass));

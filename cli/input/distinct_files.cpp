@@ -10,8 +10,8 @@
 
 #include "cli/output/printable.h"
 #include "cli/output/usage.h"
-#include "csg/base/link_target.h"
 #include "csg/base/number_text.h"
+#include "csg/file/link_target.h"
 
 namespace csgcast::cli {
 namespace {

@@ -14,6 +14,7 @@
 #include "cli/output/printable.h"
 #include "cli/output/stopwatch.h"
 #include "cli/output/usage.h"
+#include "cli/output/weld_lines.h"
 #include "csg/solid/parts.h"
 #include "csg/text/syntax/reader.h"
 
@@ -52,6 +53,13 @@ Solid selected(Solid solid, const SceneOptions& options, const FileName& file) {
   return only_parts(solid, options.parts);
 }
 
+// Near misses are looked for where that costs little beside reading the scene.
+Welding with_near_misses(Welding welding, const Solid& solid) {
+  constexpr std::uint64_t most_leaves = 20'000;
+  if (welding.mode != Welding::Mode::off && solid.leaf_count() <= most_leaves) welding.lists_near_misses = true;
+  return welding;
+}
+
 // A file, or who knows what, of which a scene of thousands of solids may come.
 bool may_be_large(const std::string& path) {
   constexpr std::uintmax_t small = 1 << 17;
@@ -74,6 +82,10 @@ void add_scene_options(Command& command, SceneOptions& options) {
                .help = "Join faces that are at most this share of the scene's size apart; 0 joins none (default: those "
                        "that only rounding keeps apart)",
                .take = [&options](const std::string& text) { options.welding = parse_welding(text); }});
+  command.add({.names = "--skip-unsupported",
+               .value = {},
+               .help = "Leave out statements of OpenSCAD that are not supported yet, each with a warning",
+               .take = into(options.skips_unsupported)});
   command.add({.names = "--part",
                .value = "NAME",
                .help = "Only the part of this name, as if the scene held nothing else; repeatable",
@@ -101,23 +113,30 @@ SceneInput compile_document(DocumentInput input, const SceneOptions& options) {
   const Stopwatch build_watch;
   SceneInput result;
   const FileName file = input.document.file;
-  result.description = text::build(std::move(input.document), {options.facets});
+  result.description = text::build(std::move(input.document), {options.facets, options.skips_unsupported});
   result.description.solid = selected(std::move(result.description.solid), options, file);
   result.read_seconds = input.read_seconds + build_watch.seconds();
   if (!options.quiet) {
     for (const Warning& warning : result.description.warnings) fmt::print(stderr, "{}\n", to_string(warning));
   }
+  const bool tells_near_misses = !options.welding.lists_near_misses;  // else the command itself does
   const Stopwatch compile_watch;
-  result.scene = compile(std::exchange(result.description.solid, {}), options.welding);
+  const Welding welding = with_near_misses(options.welding, result.description.solid);
+  result.scene = compile(std::exchange(result.description.solid, {}), welding);
   result.compile_seconds = compile_watch.seconds();
-  const auto warn = [&](const char* text) {
+  const auto warn = [&](std::string text) {
     Warning warning;
     warning.place.file = file;
-    warning.text = text;
+    warning.text = std::move(text);
     result.description.warnings.push_back(warning);
     if (!options.quiet) fmt::print(stderr, "{}\n", to_string(warning));
   };
-  if (result.scene.weld_report().incomplete)
+  const WeldReport& report = result.scene.weld_report();
+  const bool moved = report.widest > 0x1p-40 * report.size;  // by more than rounding
+  if (moved && options.welding.mode == Welding::Mode::derived && result.description.digits.are_few())
+    warn(joined_line(report, result.description.digits));
+  if (report.near_miss_count > 0 && tells_near_misses) warn(near_misses_line(report));
+  if (report.incomplete)
     warn("welding was cut short (very many surfaces nearly coincide); some that rounding keeps apart are still two");
   if (result.scene.bounds().is_null()) warn("the scene is empty (no solid is left in it); rays meet nothing");
   return result;

@@ -18,6 +18,7 @@ struct SceneOptions {
   std::string path;
   text::Facets facets = text::Facets::automatic;
   Welding welding = Welding::derived();
+  bool skips_unsupported = false;
   std::vector<std::string> parts;  ///< those that are all there is; none: the whole scene
   int threads = 0;                 ///< on_threads() of all that the command does; 0: a thread a core
   bool quiet = false;
@@ -25,7 +26,8 @@ struct SceneOptions {
   ProgressBar::Show progress() const { return quiet ? ProgressBar::Show::never : ProgressBar::Show::if_terminal; }
 };
 
-/// Adds the scene, --facets, --weld, --part, --threads and --quiet. `options` must live as long as `command`.
+/// Adds the scene, --facets, --weld, --skip-unsupported, --part, --threads and --quiet. `options` must live as long as
+/// `command`.
 void add_scene_options(Command& command, SceneOptions& options);
 
 /// A scene ready to be asked, and how long that took.

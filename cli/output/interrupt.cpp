@@ -4,7 +4,7 @@
 #include <csignal>
 
 #include "cli/output/progress_bar.h"
-#include "csg/base/whole_file.h"
+#include "csg/file/whole_file.h"
 
 namespace csgcast::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "csg/base/whole_file.h"
+#include "csg/file/whole_file.h"
 
 namespace csgcast::cli {
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "csg/exact/quadric_kind.h"
+#include "csg/text/statement/builder.h"
 
 namespace csgcast::cli {
 
@@ -18,9 +19,17 @@ StatementSummary summarise_statements(const text::Document& document) {
     const auto [node, depth] = pending.back();
     pending.pop_back();
     ++summary.by_name[node->name];
+    if (text::is_unsupported(*node)) {
+      ++summary.unsupported_by_name[node->name];
+      summary.unsupported[node->name].push_back(node->line);
+    }
     ++summary.total;
     summary.depth = std::max(summary.depth, depth);
     for (const text::Node& child : node->children) pending.emplace_back(&child, depth + 1);
+  }
+  for (auto& [name, lines] : summary.unsupported) {
+    std::sort(lines.begin(), lines.end());
+    lines.resize(std::min(lines.size(), StatementSummary::most_lines));
   }
   return summary;
 }

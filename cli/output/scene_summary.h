@@ -19,6 +19,11 @@ struct StatementSummary {
   Tally by_name;
   std::uint64_t total = 0;
   std::uint64_t depth = 0;  ///< of the deepest statement; 1 is the top level
+  /// The lines of statements that are not supported yet, by their names: the first `most_lines` of each.
+  std::map<std::string, std::vector<int>> unsupported;
+  Tally unsupported_by_name;
+
+  static constexpr std::size_t most_lines = 10;
 };
 
 struct SurfaceSummary {

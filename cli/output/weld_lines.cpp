@@ -37,6 +37,23 @@ void append_welding(std::string& out, const WeldReport& report) {
   }
 }
 
+std::string joined_line(const WeldReport& report, Digits digits) {
+  return fmt::format(
+      "numbers have up to {} digits, and faces that may be one by these were joined: {}, moved by at most {} (--weld 0 "
+      "joins none)",
+      digits.count(), counted(report.surfaces, "surface"), about(report.widest));
+}
+
+std::string near_misses_line(const WeldReport& report) {
+  const double least = report.near_misses.front().gap;
+  const std::string advice = report.suggested_tolerance > 0
+                                 ? fmt::format("; --weld {} would join some", about(report.suggested_tolerance))
+                                 : std::string();
+  return fmt::format(
+      "{} of faces that touch or overlap are nearly one, from a gap of {} on (csgcast info lists them{})",
+      counted(report.near_miss_count, "pair"), about(least), advice);
+}
+
 void json_welding(Json& json, const WeldReport& report) {
   json.key("welded").begin_object().member("surfaces", std::uint64_t(report.surfaces));
   json.member("clusters", std::uint64_t(report.clusters)).member("widest", report.widest);

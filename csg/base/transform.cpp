@@ -33,14 +33,27 @@ Vector scaled_axis(Vector v) {
   return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
 }
 
-// The error of an entry of a rotation, in units of 2^-53. If an angle is known to half an ulp, the entry moves by at
-// most the angle in radians. For more than a turn only the last turn counts, because 1e20 degrees in a text means
-// exactly that number. A sine or cosine is off by at most 4: two roundings and the error of pi on the way to at most
-// pi/4 radians, and the function's last bit. Three of them, four products and a sum about axes are off by at most 20.
-// About one axis, whose coordinates are known to half an ulp, there are 12 more than the sine and cosine.
-double rotation_error(double degrees, double roundings) {
-  return 0x1p-53 * (roundings + radians(std::fmin(std::fabs(degrees), 360)));
+constexpr double u = 0x1p-53;
+
+// How far an angle is off, in degrees. For more than a turn only the last turn counts, because 1e20 degrees in a text
+// means exactly that number.
+double angle_error(double degrees, Digits digits) {
+  const double beyond_rounding = digits.are_few() && std::isfinite(degrees) ? digits.error(degrees) : 0;
+  return std::fmax(u * std::fmin(std::fabs(degrees), 360), beyond_rounding);
 }
+
+// How far the coordinates of an axis are off, relative to its length, in units of 2^-53.
+double axis_error(Vector axis, Digits digits) {
+  if (!digits.are_few()) return 1;
+  const double most = std::max({digits.error(axis.x), digits.error(axis.y), digits.error(axis.z)});
+  return std::fmax(1, most / length(axis) / u);
+}
+
+// The error of an entry of a rotation. An error of the angle moves it by at most that in radians. A sine or cosine is
+// off by at most 4 u: two roundings and the error of pi on the way to at most pi/4 radians, and the function's last
+// bit. Three of them, four products and a sum about axes are off by at most 20. About one axis there are 12 for each
+// unit of the axis's error.
+double rotation_error(double off_degrees, double roundings) { return u * roundings + radians(off_degrees); }
 
 bool has_direction(Vector v) { return v != Vector{} && is_finite(v); }
 
@@ -79,11 +92,35 @@ double cos_degrees(double degrees) {
   return negative ? -cosine : cosine;
 }
 
-Transform translation(Vector offset) { return {{1, 0, 0, offset.x, 0, 1, 0, offset.y, 0, 0, 1, offset.z}}; }
+std::array<double, 12> Transform::errors() const {
+  const bool has_longest = digits.uses_all(entry);
+  const auto is_alone = [this](std::size_t row, std::size_t column) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((k != column && (*this)(row, k) != 0) || (k != row && (*this)(k, column) != 0)) return false;
+    }
+    return true;
+  };
+  std::array<double, 12> result{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      const double e = (*this)(row, column);
+      const bool by_itself = !has_longest || (column < 3 && is_alone(row, column));
+      result[4 * row + column] =
+          (by_itself ? digits.error(e) : digits.error_beside_longer(e)) + (column < 3 ? linear_error : offset_error);
+    }
+  }
+  return result;
+}
 
-Transform scaling(Vector factors) { return {{factors.x, 0, 0, 0, 0, factors.y, 0, 0, 0, 0, factors.z, 0}}; }
+Transform translation(Vector offset, Digits digits) {
+  return {.entry = {1, 0, 0, offset.x, 0, 1, 0, offset.y, 0, 0, 1, offset.z}, .digits = digits};
+}
 
-Transform rotation(Vector degrees_about_axes) {
+Transform scaling(Vector factors, Digits digits) {
+  return {.entry = {factors.x, 0, 0, 0, 0, factors.y, 0, 0, 0, 0, factors.z, 0}, .digits = digits};
+}
+
+Transform rotation(Vector degrees_about_axes, Digits digits) {
   const double sx = sin_degrees(degrees_about_axes.x), cx = cos_degrees(degrees_about_axes.x);
   const double sy = sin_degrees(degrees_about_axes.y), cy = cos_degrees(degrees_about_axes.y);
   const double sz = sin_degrees(degrees_about_axes.z), cz = cos_degrees(degrees_about_axes.z);
@@ -91,11 +128,12 @@ Transform rotation(Vector degrees_about_axes) {
   return {{cy * cz, sx * sy * cz - cx * sz, cx * sy * cz + sx * sz, 0,  //
            cy * sz, sx * sy * sz + cx * cz, cx * sy * sz - sx * cz, 0,  //
            -sy, sx * cy, cx * cy, 0},
-          rotation_error(
-              std::fabs(degrees_about_axes.x) + std::fabs(degrees_about_axes.y) + std::fabs(degrees_about_axes.z), 20)};
+          rotation_error(angle_error(degrees_about_axes.x, digits) + angle_error(degrees_about_axes.y, digits) +
+                             angle_error(degrees_about_axes.z, digits),
+                         20)};
 }
 
-Transform rotation(double degrees, Vector axis) {
+Transform rotation(double degrees, Vector axis, Digits digits) {
   if (!has_direction(axis)) return {};
   // Rodrigues' formula, each entry over |v|², so that small integer axes lose nothing before the division.
   const Vector v = scaled_axis(axis);
@@ -108,10 +146,10 @@ Transform rotation(double degrees, Vector axis) {
   return {{(xx + c * (yy + zz)) / square, xy - s * v.z, xz + s * v.y, 0,  //
            xy + s * v.z, (yy + c * (xx + zz)) / square, yz - s * v.x, 0,  //
            xz - s * v.y, yz + s * v.x, (zz + c * (xx + yy)) / square, 0},
-          rotation_error(degrees, 16)};
+          rotation_error(angle_error(degrees, digits), 4 + 12 * axis_error(axis, digits))};
 }
 
-Transform mirroring(Vector normal) {
+Transform mirroring(Vector normal, Digits digits) {
   if (!has_direction(normal)) return {};
   const Vector n = scaled_axis(normal);
   const double square = dot(n, n);
@@ -122,7 +160,7 @@ Transform mirroring(Vector normal) {
   return {{diagonal(n.x, n.y, n.z), xy, xz, 0,  //
            xy, diagonal(n.y, n.z, n.x), yz, 0,  //
            xz, yz, diagonal(n.z, n.x, n.y), 0},
-          rotation_error(0, 12)};
+          rotation_error(0, 12 * axis_error(normal, digits))};
 }
 
 }  // namespace csgcast

@@ -52,6 +52,24 @@ QuadricForm QuadricForm::operator-() const {
   return negated;
 }
 
+// The criterion is that the symmetric matrix of the second degree has no negative principal minor. The code uses twice
+// that matrix.
+bool is_convex(const QuadricForm& f) {
+  const auto& c = f.coefficient;
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    const Dyadic& mixed = c[QuadricForm::second_degree(i, j)];
+    return Dyadic(4) * c[QuadricForm::xx + i] * c[QuadricForm::xx + j] - mixed * mixed;
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (c[QuadricForm::xx + i].sign() < 0 || minor(i, (i + 1) % 3).sign() < 0) return false;
+  }
+  const Dyadic determinant = c[QuadricForm::xx] * minor(1, 2) +
+                             c[QuadricForm::xy] * c[QuadricForm::xz] * c[QuadricForm::yz] -
+                             c[QuadricForm::yy] * c[QuadricForm::xz] * c[QuadricForm::xz] -
+                             c[QuadricForm::zz] * c[QuadricForm::xy] * c[QuadricForm::xy];
+  return determinant.sign() >= 0;
+}
+
 FormMover::FormMover(const ExactAffine& world_from_solid) : determinant_(world_from_solid.determinant()) {
   CSGCAST_PRECONDITION(!determinant_.is_zero());
   for (std::size_t i = 0; i < 3; ++i) {

@@ -32,6 +32,9 @@ struct QuadricForm {
   friend bool operator==(const QuadricForm&, const QuadricForm&) = default;
 };
 
+/// True if f is convex; then the closed set f <= 0 is convex, too. Decided exactly.
+bool is_convex(const QuadricForm& f);
+
 /// Moves surfaces: moved(f) = g such that g(world_from_solid(p)) has the sign of f(p) for every p. g is f(adj(M) p) for
 /// a quadric and sign(det) times it for a plane.
 class FormMover {

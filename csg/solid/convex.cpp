@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "csg/exact/hull.h"
@@ -23,14 +25,35 @@ QuadricForm plane_through(Point a, Point b, Point c) {
   return QuadricForm::plane(n[0], n[1], n[2], -(n[0] * Dyadic(a.x) + n[1] * Dyadic(a.y) + n[2] * Dyadic(a.z)));
 }
 
-// The distance that the plane moves, about `center`, if each coordinate of its points is known to half an ulp. Plain
-// double is enough, because an error's own error does not matter.
-FormError plane_error(Point a, Point b, Point c, Point center) {
+// How far the coordinates of points may be off.
+class PointErrors {
+ public:
+  PointErrors(std::span<const Point> points, Digits digits) : digits_(digits) {
+    has_longest_ = digits.are_few() && std::any_of(points.begin(), points.end(), [digits](Point p) {
+                     return digits.uses_all(p.x) || digits.uses_all(p.y) || digits.uses_all(p.z);
+                   });
+  }
+
+  Vector of(Point p) const { return {of(p.x), of(p.y), of(p.z)}; }
+
+ private:
+  double of(double coordinate) const {
+    return has_longest_ ? digits_.error_beside_longer(coordinate) : digits_.error(coordinate);
+  }
+
+  Digits digits_;
+  bool has_longest_ = false;
+};
+
+// The distance that the plane moves, about `center`, by the errors of its points. Plain double is enough, because an
+// error's own error does not matter.
+FormError plane_error(Point a, Point b, Point c, Point center, const PointErrors& errors) {
   const Vector v = b - a, w = c - a;
   const auto magnitudes = [](auto p) { return Vector{std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}; };
-  const Vector off_v = 0x1p-53 * (magnitudes(a) + magnitudes(b));
-  const Vector off_w = 0x1p-53 * (magnitudes(a) + magnitudes(c));
-  const Vector n = magnitudes(cross(v, w)), from_a = magnitudes(center - a), off_a = 0x1p-53 * magnitudes(a);
+  const Vector off_a = errors.of(a);
+  const Vector off_v = off_a + errors.of(b);
+  const Vector off_w = off_a + errors.of(c);
+  const Vector n = magnitudes(cross(v, w)), from_a = magnitudes(center - a);
   const Vector size_v = magnitudes(v), size_w = magnitudes(w);
   FormError error{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -62,16 +85,17 @@ Box box_of(std::span<const Point> points) {
 
 }  // namespace
 
-Solid convex_from_planes(std::span<const PlaneEquation> planes) {
+Solid convex_from_planes(std::span<const PlaneEquation> planes, Digits digits) {
   std::vector<detail::FormWithError> forms;
   for (const auto& [normal, distance] : planes) {
     detail::require_finite("convex", {normal.x, normal.y, normal.z, distance});
     const QuadricForm form = detail::plane_form("convex", normal, distance);
-    forms.push_back({form, detail::coefficient_error(form)});
+    forms.push_back({form, detail::coefficient_error(form, digits)});
   }
   if (forms.empty()) return Solid::everything();
   LeafShape shape;
   shape.kind = LeafKind::convex;
+  shape.error.digits = digits;
   detail::set_forms(shape, forms);
   shape.bounds = detail::polyhedron_bounds(std::vector<QuadricForm>(shape.forms.begin(), shape.forms.end()));
   if (shape.bounds.is_null()) return {};
@@ -79,12 +103,16 @@ Solid convex_from_planes(std::span<const PlaneEquation> planes) {
   return Solid::leaf(std::move(shape));
 }
 
-Solid convex_from_points(std::span<const Point> points) {
+namespace {
+
+std::optional<LeafShape> hull_shape(std::span<const Point> points, Digits digits) {
   for (const Point& p : points) detail::require_finite("convex", {p.x, p.y, p.z});
   const std::vector<HullTriangle> triangles = convex_hull(points);
-  if (triangles.empty()) return {};
+  if (triangles.empty()) return std::nullopt;
+  const PointErrors errors(points, digits);
   LeafShape shape;
   shape.kind = LeafKind::convex;
+  shape.error.digits = digits;
   shape.vertices = corners_used(points, triangles);
   shape.bounds = box_of(shape.vertices);
   shape.error.center = shape.bounds.center();
@@ -92,11 +120,25 @@ Solid convex_from_points(std::span<const Point> points) {
   forms.reserve(triangles.size());
   for (const auto& [a, b, c] : triangles) {
     forms.push_back({plane_through(points[a], points[b], points[c]),
-                     plane_error(points[a], points[b], points[c], shape.error.center)});
+                     plane_error(points[a], points[b], points[c], shape.error.center, errors)});
   }
   detail::set_forms(shape, forms);
   shape.is_convex_polyhedron = true;
-  return Solid::leaf(std::move(shape));
+  return shape;
+}
+
+}  // namespace
+
+Solid convex_from_points(std::span<const Point> points, Digits digits) {
+  std::optional<LeafShape> shape = hull_shape(points, digits);
+  return shape ? Solid::leaf(std::move(*shape)) : Solid();
+}
+
+Solid convex_from_points(std::span<const Point> points, Vector axes) {
+  std::optional<LeafShape> shape = hull_shape(points, {});
+  if (!shape) return {};
+  shape->error.axes = axes;
+  return Solid::leaf(std::move(*shape));
 }
 
 }  // namespace csgcast

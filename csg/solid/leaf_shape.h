@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "csg/base/box.h"
+#include "csg/base/digits.h"
 #include "csg/base/truth_formula.h"
 #include "csg/exact/form_list.h"
 #include "csg/exact/other_form.h"
@@ -24,14 +25,15 @@ struct Disc {
 /// Bounds on the errors of a form's coefficients, in the order of QuadricForm::Term.
 using FormError = std::array<double, QuadricForm::term_count>;
 
-/// The difference between a leaf's forms and what was meant, if each number that the leaf was made from is known to
-/// half an ulp. It only decides what welding treats as rounding.
+/// The difference between a leaf's forms and what was meant, as each number that the leaf was made from is known to
+/// half an ulp, or to fewer digits. It only decides what welding treats as rounding.
 struct ShapeError {
-  bool scales_with_axes = true;  ///< each axis is scaled by 1 ± 2^-53, as by sizes known to half an ulp
+  Vector axes{0x1p-53, 0x1p-53, 0x1p-53};  ///< each axis is scaled by 1 ± its entry, as by sizes
   /// Additional errors of each form about `center`: |off(q)| <= sum of errors[i] |term_i(q - center)|. Empty if there
   /// are none.
   std::vector<FormError> errors;
   Point center;
+  Digits digits{};  ///< of the text that the numbers are from
 };
 
 /// A leaf in its own coordinates. It is the closed set of points where every form is <= 0 or, if `inside` is set, the

@@ -2,6 +2,7 @@
 #include "csg/solid/primitives.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <string>
@@ -61,17 +62,31 @@ std::vector<Point> corners_of(const Box& b) {
   return corners;
 }
 
+/// Of a leaf that sizes scale, one on each axis. Those of a list stand beside each other.
+ShapeError size_error(Vector sizes, Digits digits, bool are_list = false) {
+  ShapeError error;
+  error.digits = digits;
+  if (!digits.are_few()) return error;
+  const bool has_longest = are_list && digits.uses_all(std::array{sizes.x, sizes.y, sizes.z});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double size = sizes[axis];
+    error.axes[axis] = (has_longest ? digits.error_beside_longer(size) : digits.error(size)) / size;
+  }
+  return error;
+}
+
 Box box_about_axis(double radius, const Range& range) {
   return {{-radius, -radius, range.lower.rounded_down()}, {radius, radius, range.upper.rounded_up()}};
 }
 
 }  // namespace
 
-Solid box(Vector size, Centering centering) {
+Solid box(Vector size, Centering centering, Digits digits) {
   require_finite("cube", {size.x, size.y, size.z});
   if (!(size.x > 0 && size.y > 0 && size.z > 0)) return {};
   LeafShape shape;
   shape.kind = LeafKind::cube;
+  shape.error = size_error(size, digits, true);
   shape.is_convex_polyhedron = true;
   shape.forms.reserve(6);
   bool exact = true;
@@ -86,36 +101,39 @@ Solid box(Vector size, Centering centering) {
   return Solid::leaf(std::move(shape));
 }
 
-Solid sphere(double radius) {
+Solid sphere(double radius, Digits digits) {
   require_finite("sphere", {radius});
   if (!(radius > 0)) return {};
   LeafShape shape;
   shape.kind = LeafKind::sphere;
+  shape.error = size_error({radius, radius, radius}, digits);
   shape.forms.push_back(axial_form(1.0, 1.0, 1.0, {}, -square(radius)));
   shape.bounds = {{-radius, -radius, -radius}, {radius, radius, radius}};
   shape.semi_axes = Vector{radius, radius, radius};
   return Solid::leaf(std::move(shape));
 }
 
-Solid ellipsoid(Vector semi_axes) {
+Solid ellipsoid(Vector semi_axes, Digits digits) {
   require_finite("ellipsoid", {semi_axes.x, semi_axes.y, semi_axes.z});
   if (!(semi_axes.x > 0 && semi_axes.y > 0 && semi_axes.z > 0)) return {};
   const Dyadic a2 = square(semi_axes.x), b2 = square(semi_axes.y), c2 = square(semi_axes.z);
   LeafShape shape;
   shape.kind = LeafKind::ellipsoid;
+  shape.error = size_error(semi_axes, digits, true);
   shape.forms.push_back(axial_form(b2 * c2, a2 * c2, a2 * b2, {}, -(a2 * b2 * c2)));
   shape.bounds = {{-semi_axes.x, -semi_axes.y, -semi_axes.z}, {semi_axes.x, semi_axes.y, semi_axes.z}};
   shape.semi_axes = semi_axes;
   return Solid::leaf(std::move(shape));
 }
 
-Solid cylinder(double height, double bottom_radius, double top_radius, Centering centering) {
+Solid cylinder(double height, double bottom_radius, double top_radius, Centering centering, Digits digits) {
   require_finite("cylinder", {height, bottom_radius, top_radius});
   const double widest = std::max(bottom_radius, top_radius);
   if (!(height > 0 && bottom_radius >= 0 && top_radius >= 0 && widest > 0)) return {};
   const Range range = extent(height, centering);
   LeafShape shape;
   shape.kind = LeafKind::cylinder;
+  shape.error = size_error({widest, widest, height}, digits);
   if (bottom_radius == top_radius) {
     // The form does not depend on z or on the height, so cylinders that differ only in these share the surface.
     shape.forms.push_back(axial_form(1.0, 1.0, {}, {}, -square(bottom_radius)));
@@ -128,9 +146,9 @@ Solid cylinder(double height, double bottom_radius, double top_radius, Centering
   }
   append_slab(shape.forms, 2, range);
   if (bottom_radius != top_radius) {
-    // (base + slope z)² with base + slope z off by 2^-53 height times each radius.
+    // (base + slope z)² with base + slope z off by height times the error of each radius.
     const double s = std::fabs(top_radius - bottom_radius), b = height * widest;
-    const double off = 0x1p-53 * height * (bottom_radius + top_radius);
+    const double off = height * (digits.error(bottom_radius) + digits.error(top_radius));
     shape.error.errors.resize(shape.forms.size());
     shape.error.errors.front()[z] = 2 * off * s;
     shape.error.errors.front()[one] = 2 * off * b;
@@ -140,12 +158,13 @@ Solid cylinder(double height, double bottom_radius, double top_radius, Centering
   return Solid::leaf(std::move(shape));
 }
 
-Solid paraboloid(double height, double radius) {
+Solid paraboloid(double height, double radius, Digits digits) {
   require_finite("paraboloid", {height, radius});
   if (!(height > 0 && radius > 0)) return {};
   const Range range = extent(height, Centering::corner);
   LeafShape shape;
   shape.kind = LeafKind::paraboloid;
+  shape.error = size_error({radius, radius, height}, digits);
   shape.forms.push_back(axial_form(height, height, {}, -square(radius), {}));
   shape.forms.push_back(QuadricForm::plane({}, {}, 1.0, -Dyadic(height)));
   shape.bounds = box_about_axis(radius, range);
@@ -154,13 +173,14 @@ Solid paraboloid(double height, double radius) {
   return Solid::leaf(std::move(shape));
 }
 
-Solid hyperboloid(double height, double radius, double waist) {
+Solid hyperboloid(double height, double radius, double waist, Digits digits) {
   require_finite("hyperboloid", {height, radius, waist});
   const double widest = std::max(radius, waist);
   if (!(height > 0 && radius >= 0 && waist >= 0 && widest > 0)) return {};
   const Range range = extent(height, Centering::centered);
   LeafShape shape;
   shape.kind = LeafKind::hyperboloid;
+  shape.error = size_error({widest, widest, height}, digits);
   if (radius == waist) {
     shape.forms.push_back(axial_form(1.0, 1.0, {}, {}, -square(radius)));
   } else {
@@ -171,16 +191,16 @@ Solid hyperboloid(double height, double radius, double waist) {
   append_slab(shape.forms, 2, range);
   if (radius != waist) {
     shape.error.errors.resize(shape.forms.size());
-    shape.error.errors.front()[zz] = 8 * 0x1p-53 * (radius * radius + waist * waist);
+    shape.error.errors.front()[zz] = 8 * (digits.error(radius) * radius + digits.error(waist) * waist);
   }
   shape.bounds = box_about_axis(widest, range);
   shape.discs = {{shape.bounds.lower.z, widest}, {shape.bounds.upper.z, widest}};
   return Solid::leaf(std::move(shape));
 }
 
-Solid halfspace(Vector normal, double distance) {
+Solid halfspace(Vector normal, double distance, Digits digits) {
   require_finite("halfspace", {normal.x, normal.y, normal.z, distance});
-  return Solid::leaf(detail::halfspace_shape(detail::plane_form("halfspace", normal, distance)));
+  return Solid::leaf(detail::halfspace_shape(detail::plane_form("halfspace", normal, distance), digits));
 }
 
 }  // namespace csgcast

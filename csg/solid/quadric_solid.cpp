@@ -6,7 +6,7 @@
 
 namespace csgcast {
 
-Solid quadric(const std::array<double, 6>& a, Vector b, double c) {
+Solid quadric(const std::array<double, 6>& a, Vector b, double c, Digits digits) {
   detail::require_finite("quadric", {a[0], a[1], a[2], a[3], a[4], a[5], b.x, b.y, b.z, c});
   QuadricForm f;
   for (std::size_t term = QuadricForm::xx; term <= QuadricForm::zz; ++term) f.coefficient[term] = a[term];
@@ -16,13 +16,14 @@ Solid quadric(const std::array<double, 6>& a, Vector b, double c) {
   f.coefficient[QuadricForm::one] = c;
 
   if (f.is_constant()) return c <= 0 ? Solid::everything() : Solid();
-  if (f.is_plane()) return Solid::leaf(detail::halfspace_shape(std::move(f)));
+  if (f.is_plane()) return Solid::leaf(detail::halfspace_shape(std::move(f), digits));
   LeafShape shape;
   shape.kind = LeafKind::quadric;
   shape.bounds = detail::bounds(f);
   if (shape.bounds.is_null()) return {};
-  shape.error.scales_with_axes = false;
-  shape.error.errors.push_back(detail::coefficient_error(f));
+  shape.error.axes = {};
+  shape.error.digits = digits;
+  shape.error.errors.push_back(detail::coefficient_error(f, digits));
   shape.forms.push_back(f);
   return Solid::leaf(std::move(shape));
 }

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "csg/base/digits.h"
 #include "csg/base/error.h"
 #include "csg/base/vector.h"
 #include "csg/solid/look.h"
@@ -52,6 +53,7 @@ struct SceneDescription {
   std::optional<Rgb> background;
   std::optional<BackgroundImage> background_image;  ///< if there is one, there is no background colour
   RenderSettings settings;
+  Digits digits{};  ///< of the numbers of solids and transforms, as the text says, or as they show
   std::vector<Warning> warnings;
 };
 

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "raycast/scene/scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
+#include "csg/base/length.h"
 #include "csg/solid/simplify.h"
+#include "raycast/scene/detail/boundedness.h"
 #include "raycast/scene/detail/compile.h"
 #include "raycast/scene/detail/enclosure.h"
 #include "raycast/scene/detail/flattener.h"
@@ -39,6 +44,62 @@ Box extent(const detail::Flattened& flat) {
   return box;
 }
 
+double farthest(const Box& box) { return std::fmax(longest(as_vector(box.lower)), longest(as_vector(box.upper))); }
+
+// Which leaves have finite boxes.
+std::vector<bool> bounded_leaves(const SceneTables& tables) {
+  std::vector<bool> is_bounded(tables.leaves.size());
+  for (const Node& node : tables.nodes) {
+    if (node.op == Node::Op::leaf && node.box.is_finite()) is_bounded[node.first] = true;
+  }
+  return is_bounded;
+}
+
+// Surfaces whose leaves are all bounded, or below a node that is cut, matter in the frame's cube only.
+void tell_local_surfaces(detail::Flattened& flat, const std::vector<bool>& matters_nearby) {
+  const SceneTables& tables = flat.tables;
+  std::vector<bool> is_local(flat.surfaces.size(), true);
+  for (std::size_t i = 0; i < tables.leaves.size(); ++i) {
+    if (matters_nearby[i]) continue;
+    const Leaf& leaf = tables.leaves[i];
+    for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+      is_local[tables.half_spaces[k].surface.index()] = false;
+  }
+  flat.surfaces.set_local(is_local);
+}
+
+// A solid of unbounded leaves may be bounded, as a cone between two half-spaces is. Solids at union level are asked one
+// by one.
+void bound_bodies(detail::Flattened& flat) {
+  constexpr double greatest = 0x1p400;
+  SceneTables& tables = flat.tables;
+  std::vector<bool> is_bounded = bounded_leaves(tables);
+  detail::Boundedness boundedness(tables, flat.surfaces);
+  bool any_is_cut = false;
+  for (const detail::Body& body : flat.bodies) {
+    Node& node = tables.nodes[body.node.index()];
+    const auto first = is_bounded.begin() + body.first_leaf, last = is_bounded.begin() + body.leaf_end;
+    if (node.box.is_null() || (node.box.is_finite() && std::find(first, last, false) == last)) continue;
+    const detail::Extent extent = boundedness.of(body.node);
+    if (extent.kind == detail::Extent::Kind::bounded && extent.box.is_null()) {
+      node = {};
+      continue;
+    }
+    if (extent.kind == detail::Extent::Kind::bounded && farthest(extent.box) <= greatest) node.box = extent.box;
+    if (!node.box.is_finite()) {
+      const bool is_certain = extent.kind == detail::Extent::Kind::unbounded;
+      const Place place = first == last ? Place() : tables.leaves[body.first_leaf].place;
+      if (!tables.opening) tables.opening = {extent.direction, is_certain, place};
+      continue;
+    }
+    node.is_cut = true;
+    any_is_cut = true;
+    std::fill(first, last, true);
+    tables.bounded_leaves = hull(tables.bounded_leaves, node.box);
+  }
+  if (any_is_cut) tell_local_surfaces(flat, is_bounded);
+}
+
 void give_back_spare_memory(SceneTables& tables) {
   tables.leaves.shrink_to_fit();
   tables.half_spaces.shrink_to_fit();
@@ -69,6 +130,7 @@ Scene detail::compile(Solid solid, const Welding& welding, SurfaceKinds kinds) {
   }
   // From here on, the scene itself needs the memory.
   solid = {};
+  bound_bodies(flat);
   detail::gather_regions(std::move(flat.bodies), tables);
   tables.bounds = tables.nodes[tables.root.index()].box;
   detail::widen_boxes(tables.nodes, tables.weld_report.widest);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,6 +48,9 @@ struct Leaf {
 struct Node {
   enum class Op : std::uint8_t { empty, everything, leaf, unite, intersect, subtract, complement };
   Op op = Op::empty;
+  /// True if the node is bounded though its leaves are not. What its list has outside the frame's cube is cut out:
+  /// crossings of local surfaces may be missing there.
+  bool is_cut = false;
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   Box box;  ///< holds the closed set, with a margin; used for culling only
@@ -84,6 +88,13 @@ struct Layer {
   RegionId region;  ///< the transmitting region; not valid for a run of opaque regions
 };
 
+/// Where a solid reaches to infinity, or may.
+struct Opening {
+  Vector direction{};       ///< the longest coordinate is 1 or -1
+  bool is_certain = false;  ///< false: it is not known that the solid is bounded there
+  Place place;              ///< of the first leaf of the part of the solid that does
+};
+
 /// A ray certainly goes to one side of the surface that it departs from, if its cosine with the normal on that side is
 /// above this number. The error of a cosine that is computed with a face's normal is far smaller (docs/accuracy.md,
 /// "Rays that lead away").
@@ -104,7 +115,8 @@ struct SceneTables {
   std::vector<Material> looks;
   NodeId root;
   Box bounds;
-  Box bounded_leaves;
+  Box bounded_leaves;  ///< holds solids at union level that are bounded, too, though their leaves are not
+  std::optional<Opening> opening;
   Frame frame;
   WeldReport weld_report;
 };
@@ -159,8 +171,11 @@ class Scene {
   std::span<const std::uint8_t> sides_that_lead_away() const { return leads_away_; }
   const SceneTables& tables() const { return tables_; }
   const WeldReport& weld_report() const { return tables_.weld_report; }
-  /// The bounds of the bounded leaves, for a default camera of an unbounded solid.
+  /// The bounds of all bounded leaves, and of solids at union level that are bounded: for a default camera of an
+  /// unbounded solid.
   const Box& bounded_leaves() const { return tables_.bounded_leaves; }
+  /// Where the solid is open; nothing if its bounds are finite.
+  const std::optional<Opening>& opening() const { return tables_.opening; }
 
  private:
   SceneTables tables_;

@@ -23,7 +23,8 @@ struct Surface {
 
   const SurfaceKind* kind = &plane_kind;  ///< a row of the table of kinds
   bool is_plane = true;                   ///< true if kind is &plane_kind; hot loops ask for this
-  /// True if every leaf that owns the surface is bounded. Then the surface matters in the frame's unit cube only.
+  /// True if every leaf that owns the surface is bounded, or below a node that is cut (Node::is_cut). Then the surface
+  /// matters in the frame's unit cube only.
   bool is_local = true;
   /// False if a coefficient underflowed beside the largest one, or if there are no coefficients. Then the doubles
   /// decide nothing.

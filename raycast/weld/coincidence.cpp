@@ -12,8 +12,6 @@ namespace {
 
 using Form = QuadricForm;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// If errors are above this share of the largest coefficient, the numbers determine nothing.
-constexpr double most_error = 0x1p-20;
 // Bound on the rounding of f_i g_m - g_i f_m. Each number is off by a relative 2^-104, and products and difference by a
 // few times that.
 constexpr double rounding = 0x1p-100;
@@ -110,8 +108,8 @@ FormError error_of(const RegionForm& form, const SmallMotion& motion) {
   return error;
 }
 
-double distance_in_errors(const RegionForm& f, const FormError& f_error, const RegionForm& g,
-                          const FormError& g_error) {
+double distance_in_errors(const RegionForm& f, const FormError& f_error, const RegionForm& g, const FormError& g_error,
+                          double most_error) {
   if (f.is_plane != g.is_plane || !f.in_range || !g.in_range) return infinity;
   const std::size_t m = largest(f);
   const double fm = std::fabs(f.coefficient[m].high), gm = std::fabs(g.coefficient[m].high);
@@ -139,6 +137,7 @@ double gap(const RegionForm& f, const RegionForm& g, const Region& region, const
   // The gap is the motion, shared between the two surfaces, that explains their difference. A motion by `tiny` on each
   // axis at the box's sides is tried first. It is then scaled by the ratio of the surfaces' distance to its effect.
   constexpr double tiny = 0x1p-40;
+  constexpr double most_tiny = 0x1p-20;
   SmallMotion motion;
   for (std::size_t k = 0; k < 3; ++k) {
     motion.offset[k] = 0.5 * tiny;
@@ -147,7 +146,8 @@ double gap(const RegionForm& f, const RegionForm& g, const Region& region, const
       motion.slope[3 * k + l] = half > 0 ? 0.5 * tiny / half : 0;
     }
   }
-  return std::ldexp(tiny * distance_in_errors(f, error_of(f, motion), g, error_of(g, motion)), region.exponent);
+  return std::ldexp(tiny * distance_in_errors(f, error_of(f, motion), g, error_of(g, motion), most_tiny),
+                    region.exponent);
 }
 
 }  // namespace csgcast::detail

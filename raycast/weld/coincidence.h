@@ -53,8 +53,9 @@ FormError error_of(const RegionForm& form, const SmallMotion& motion);
 
 /// The distance of two surfaces in multiples of their errors. It is at most 1 if they could be the same. One surface is
 /// scaled to the other, and the coefficient in which they differ most counts. The distance is infinite if errors are
-/// not finite, or too large to tell anything.
-double distance_in_errors(const RegionForm& f, const FormError& f_error, const RegionForm& g, const FormError& g_error);
+/// not finite, or above `most_error`, a share of the largest coefficient: the numbers determine nothing then.
+double distance_in_errors(const RegionForm& f, const FormError& f_error, const RegionForm& g, const FormError& g_error,
+                          double most_error);
 
 /// True if g is nearer to -f than to f.
 bool is_flipped(const RegionForm& f, const RegionForm& g);

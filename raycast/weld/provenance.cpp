@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 namespace csgcast::detail {
 namespace {
 
 using Form = QuadricForm;
 using Matrix = std::array<double, 9>;
-constexpr double u = 0x1p-53;
 
 // A linear function of s. Its constant comes last.
 using LinearForm = std::array<double, 4>;
@@ -66,10 +66,14 @@ std::size_t largest(const FormError& form) {
 
 }  // namespace
 
-Provenance::Provenance() : turns_(1), linears_(1), links_(1) {}
+Provenance::Provenance() : turns_(1), linears_(1), links_(1) {
+  const std::array<double, 12> errors = Transform().errors();
+  for (std::size_t row = 0; row < 3; ++row)
+    std::copy_n(errors.begin() + 4 * row, 3, turns_.front().error.begin() + 3 * row);
+}
 
 bool Provenance::is_link(const Link& link, ChainId outer, const Transform& transform) const {
-  if (link.outer != outer) return false;
+  if (link.outer != outer || link.digits != transform.digits) return false;
   for (std::size_t row = 0; row < 3; ++row) {
     if (link.own_offset[row] != transform(row, 3)) return false;
     for (std::size_t column = 0; column < 3; ++column) {
@@ -82,12 +86,17 @@ bool Provenance::is_link(const Link& link, ChainId outer, const Transform& trans
 // Sets the linear parts of a link. A translation has no linear part of its own, so the whole is that of the chain
 // outside.
 void Provenance::set_linear(Link& link, const Transform& transform, const ExactAffine& world_from_solid) {
+  const std::array<double, 12> errors = transform.errors();
   Turn turn;
-  turn.error = transform.linear_error;
   for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column) turn.entry[3 * row + column] = transform(row, column);
+    link.own_offset_error[row] = errors[4 * row + 3];
+    for (std::size_t column = 0; column < 3; ++column) {
+      turn.entry[3 * row + column] = transform(row, column);
+      turn.error[3 * row + column] = errors[4 * row + column];
+    }
   }
-  if (turn.entry == identity && turn.error == 0) {
+  has_few_digits_ = has_few_digits_ || transform.digits.are_few();
+  if (turn.entry == identity && turn.error == turns_.front().error) {
     link.linear = links_[link.outer].linear;
     return;
   }
@@ -117,6 +126,7 @@ Provenance::ChainId Provenance::chain(ChainId outer, const Transform& transform,
   Link link;
   link.outer = outer;
   link.depth = links_[outer].depth + 1;
+  link.digits = transform.digits;
   for (std::size_t row = 0; row < 3; ++row) {
     link.own_offset[row] = transform(row, 3);
     link.offset[row] = world_from_solid.offset(row).nearest();
@@ -127,6 +137,7 @@ Provenance::ChainId Provenance::chain(ChainId outer, const Transform& transform,
 }
 
 std::uint32_t Provenance::add_leaf(const Solid& solid, ChainId chain, const Box& box) {
+  has_few_digits_ = has_few_digits_ || solid.shape().error.digits.are_few();
   leaves_.push_back({solid, chain, box});
   return static_cast<std::uint32_t>(leaves_.size() - 1);
 }
@@ -155,8 +166,8 @@ Provenance::LocalRegion Provenance::local(const Link& link, const Region& region
   return result;
 }
 
-FormError Provenance::error(Source source, const RegionForm& form, const Region& region, ChainId known) const {
-  const LeafSource& leaf = leaves_[source.leaf];
+// The motion by errors of transforms inside `known` and of sizes.
+SmallMotion Provenance::motion(const LeafSource& leaf, const Region& region, ChainId known) const {
   const LeafShape& shape = leaf.solid.shape();
   SmallMotion motion;
   for (ChainId id = leaf.chain; id != known; id = links_[id].outer) {
@@ -167,30 +178,52 @@ FormError Provenance::error(Source source, const RegionForm& form, const Region&
     std::array<LinearForm, 3> off{};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
-        const double entry = u * std::fabs(turn.entry[3 * i + j]) + turn.error;
+        const double entry = turn.error[3 * i + j];
         off[i][3] += entry * std::fabs(inside.at[j]);
         for (std::size_t l = 0; l < 3; ++l) off[i][l] += entry * std::fabs(inside.spread[3 * j + l]);
       }
-      off[i][3] += u * std::fabs(link.own_offset[i]);
+      off[i][3] += link.own_offset_error[i];
     }
     add_moved(motion, linears_[links_[link.outer].linear].forward, off, region.exponent);
   }
   const Link& innermost = links_[leaf.chain];
   const LocalRegion inside = local(innermost, region);
-  if (shape.error.scales_with_axes) {
+  if (shape.error.axes != Vector{}) {
     std::array<LinearForm, 3> off{};
     for (std::size_t i = 0; i < 3; ++i) {
-      off[i][3] = u * std::fabs(inside.at[i]);
-      for (std::size_t l = 0; l < 3; ++l) off[i][l] = u * std::fabs(inside.spread[3 * i + l]);
+      const double error = shape.error.axes[i];
+      off[i][3] = error * std::fabs(inside.at[i]);
+      for (std::size_t l = 0; l < 3; ++l) off[i][l] = error * std::fabs(inside.spread[3 * i + l]);
     }
     add_moved(motion, linears_[innermost.linear].forward, off, region.exponent);
   }
-  FormError sum = error_of(form, motion);
+  return motion;
+}
+
+FormError Provenance::error(Source source, const RegionForm& form, const Region& region, ChainId known) const {
+  const LeafSource& leaf = leaves_[source.leaf];
+  const LeafShape& shape = leaf.solid.shape();
+  FormError sum = error_of(form, motion(leaf, region, known));
   if (!shape.error.errors.empty()) {
-    const FormError own = shape_error(shape, source.form, form, inside);
+    const FormError own = shape_error(shape, source.form, form, local(links_[leaf.chain], region));
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own[i];
   }
   return sum;
+}
+
+double Provenance::displacement(Source source, const RegionForm& form, const Region& region) const {
+  const LeafSource& leaf = leaves_[source.leaf];
+  double most = 0;
+  if (form.is_plane) {
+    const FormError off = error(source, form, region, 0);
+    const auto& c = form.coefficient;
+    most = std::accumulate(off.begin(), off.end(), 0.0) / std::hypot(c[Form::x].high, c[Form::y].high, c[Form::z].high);
+  } else {
+    const SmallMotion moved = motion(leaf, region, 0);
+    for (std::size_t k = 0; k < 3; ++k)
+      most = std::fmax(most, moved.offset[k] + moved.slope[3 * k] + moved.slope[3 * k + 1] + moved.slope[3 * k + 2]);
+  }
+  return std::ldexp(most, region.exponent);
 }
 
 // The error of the leaf's own form in the region's coordinates and the scale of the moved form.

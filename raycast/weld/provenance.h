@@ -35,6 +35,8 @@ class Provenance {
   std::uint32_t add_leaf(const Solid& solid, ChainId chain, const Box& box);
 
   std::size_t leaf_count() const { return leaves_.size(); }
+  /// Whether a number is known to fewer digits than a double has.
+  bool has_few_digits() const { return has_few_digits_; }
   /// The statement that made the source's leaf.
   const Place& place(Source source) const { return leaves_[source.leaf].solid.place(); }
   const Box& box(Source source) const { return leaves_[source.leaf].box; }
@@ -46,6 +48,8 @@ class Provenance {
   /// A bound on the difference between the source's surface and what was meant. `form` is its form in the region. The
   /// chain `known`, an outer part of the source's own chain, counts as exact.
   FormError error(Source source, const RegionForm& form, const Region& region, ChainId known) const;
+  /// About how far the source's surface may be from what was meant, somewhere in the region, in its unit of length.
+  double displacement(Source source, const RegionForm& form, const Region& region) const;
 
  private:
   using Matrix = std::array<double, 9>;
@@ -53,7 +57,7 @@ class Provenance {
   // The linear part of one transform.
   struct Turn {
     Matrix entry = identity;
-    double error = 0;
+    Matrix error{};  // the most that each entry may be off
   };
   // The linear part of a whole chain and its inverse. Plain double is enough, because errors need not be exact.
   struct Linear {
@@ -68,7 +72,9 @@ class Provenance {
     std::uint32_t turn = 0;    // the linear part of its own transform, in turns_
     std::uint32_t linear = 0;  // the linear part of the whole chain, in linears_
     Vector own_offset;         // the translation of its own transform
-    Vector offset;             // the translation of the whole chain
+    Vector own_offset_error;
+    Vector offset;  // the translation of the whole chain
+    Digits digits;  // of its own transform's numbers
   };
   struct LeafSource {
     Solid solid;
@@ -84,6 +90,7 @@ class Provenance {
   bool is_link(const Link& link, ChainId outer, const Transform& transform) const;
   void set_linear(Link& link, const Transform& transform, const ExactAffine& world_from_solid);
   LocalRegion local(const Link& link, const Region& region) const;
+  SmallMotion motion(const LeafSource& leaf, const Region& region, ChainId known) const;
   FormError shape_error(const LeafShape& shape, std::uint32_t form, const RegionForm& moved,
                         const LocalRegion& local) const;
 
@@ -92,6 +99,7 @@ class Provenance {
   std::vector<Link> links_;      // the first is the empty chain
   HashIndex by_transform_;       // all other links, by their outer chain and their own transform
   std::vector<LeafSource> leaves_;
+  bool has_few_digits_ = false;
 };
 
 }  // namespace csgcast::detail

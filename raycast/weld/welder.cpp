@@ -12,8 +12,14 @@
 namespace csgcast::detail {
 namespace {
 
-// Errors are computed in double, with errors of their own. A pair that is off by a little more still counts.
-constexpr double border = 1 + 0x1p-30;
+// Errors are computed in double and to first order. So they are off by errors of their own: a share of the largest
+// error of an entry. A pair that is farther by a little more still counts.
+struct Tolerance {
+  double border;
+  double most_error;
+};
+constexpr Tolerance for_doubles{1 + 0x1p-30, 0x1p-20};
+constexpr Tolerance for_few_digits{1 + 0x1p-6, 0x1p-4};
 // A surface is compared with at most this many others of its cluster, by at most this many of its chains of transforms.
 // In addition to the comparisons that any scene may take, each surface may cost this many comparisons on average.
 constexpr std::size_t most_compared = 16;
@@ -60,7 +66,11 @@ Welder::Welder(const Provenance& provenance, const Welding& welding, const Box& 
       has_size_(everything.is_finite()),
       everything_(has_size_ ? everything : unit),
       region_(Region::around(everything_)),
-      tolerance_(has_size_ ? welding.tolerance * length(everything.size()) : 0) {}
+      tolerance_(has_size_ ? welding.tolerance * length(everything.size()) : 0) {
+  const Tolerance tolerance = provenance.has_few_digits() ? for_few_digits : for_doubles;
+  border_ = tolerance.border;
+  most_error_ = tolerance.most_error;
+}
 
 // The error of the least accurately known source. It is used to look for surfaces that may coincide.
 FormError Welder::worst_known(const Candidate& candidate, const RegionForm& form) const {
@@ -148,12 +158,34 @@ std::vector<LeafFaces> Welder::faces(std::span<const Replacement> replacements,
   return leaves;
 }
 
+// With few digits errors are wide: thousands of surfaces are near each other by any one number. So only faces that come
+// near each other in space are compared.
+Grouping::Groups Welder::groups_by_digits(std::span<const Replacement> replacements, WeldReport& report) {
+  double most = 0;
+  for (const Candidate& candidate : candidates_) {
+    const RegionForm form(candidate.form->unpacked(), region_);
+    for (const Provenance::Source source : candidate.sources) {
+      const double displacement = provenance_.displacement(source, form, region_);
+      if (std::isfinite(displacement)) most = std::fmax(most, displacement);
+    }
+  }
+  // Both surfaces of a pair move, and the gap over both of their leaves may be a few times that over one.
+  const double size = length(everything_.size());
+  const double most_gap = std::fmin(std::fmax(8 * most, greatest_near_miss * size), Welding::greatest_tolerance * size);
+  return groups_that_touch(most_gap, replacements, report);
+}
+
 Grouping::Groups Welder::groups_by_hand(std::span<const Replacement> replacements, WeldReport& report) {
+  return groups_that_touch(tolerance_, replacements, report);
+}
+
+Grouping::Groups Welder::groups_that_touch(double most_gap, std::span<const Replacement> replacements,
+                                           WeldReport& report) {
   const std::vector<RegionForm> forms = region_forms();
   Grouping grouping(candidates_.size());
   std::vector<Provenance::Source> one_source;
   const std::vector<LeafFaces> leaves = faces(replacements, one_source);
-  NearFaces search(forms, region_, tolerance_);
+  NearFaces search(forms, region_, most_gap);
   const bool whole = search.search(leaves, 4 * most_work_, [&grouping](const NearFaces::Pair& pair) {
     grouping.join(pair.a, pair.b);
     return true;
@@ -173,8 +205,8 @@ double Welder::distance(const Member& a, const Member& b, const Region& region) 
     for (const Provenance::Source to : g.sources) {
       const Provenance::ChainId known = provenance_.common(provenance_.chain_of(from), provenance_.chain_of(to), work_);
       most = std::fmax(most, distance_in_errors(a.form, provenance_.error(from, a.form, region, known), b.form,
-                                                provenance_.error(to, b.form, region, known)));
-      if (most > border) return most;
+                                                provenance_.error(to, b.form, region, known), most_error_));
+      if (most > border_) return most;
     }
   }
   return most;
@@ -187,7 +219,8 @@ std::vector<Replacement> Welder::run(std::span<const Candidate> candidates, Weld
   std::vector<Replacement> replacements;
   replacements.reserve(candidates.size());
   for (std::uint32_t i = 0; i < candidates.size(); ++i) replacements.push_back({i});
-  weld_groups(groups_by_rounding(), replacements, report);
+  const bool by_digits = provenance_.has_few_digits();
+  weld_groups(by_digits ? groups_by_digits(replacements, report) : groups_by_rounding(), replacements, report);
   if (welding_.mode == Welding::Mode::by_hand && has_size_) {
     by_hand_ = true;
     work_ = 0;
@@ -213,6 +246,7 @@ void Welder::weld_group(std::span<const std::uint32_t> numbers, std::vector<Repl
   group.reserve(numbers.size());
   for (const std::uint32_t number : numbers) group.push_back(described(number));
   std::sort(group.begin(), group.end(), precedes);
+  const bool has_ranges = !by_hand_ && !provenance_.has_few_digits();
   std::vector<bool> is_done(group.size());
   for (std::size_t i = 0; i < group.size(); ++i) {
     if (is_done[i]) continue;
@@ -222,14 +256,14 @@ void Welder::weld_group(std::span<const std::uint32_t> numbers, std::vector<Repl
     std::vector<Member> members;
     for (std::size_t j = i + 1; j < group.size(); ++j) {
       work_ += j % 64 == 0 ? 1 : 0;
-      if (is_done[j] || (!by_hand_ && !near_.overlap(group[i].number, group[j].number))) continue;
+      if (is_done[j] || (has_ranges && !near_.overlap(group[i].number, group[j].number))) continue;
       if (work_ > most_work_) {
         report.incomplete = true;
         return;
       }
       Member member{&group[j], RegionForm(group[j].form, region), 0};
       member.distance = distance(leader, member, region);
-      if (member.distance <= border) members.push_back(std::move(member));
+      if (member.distance <= border_) members.push_back(std::move(member));
     }
     gather(leader, region, std::move(members), replacements, report);
     for (std::size_t j = i + 1; j < group.size(); ++j)
@@ -248,7 +282,7 @@ void Welder::gather(const Member& leader, const Region& region, std::vector<Memb
   for (const Member& member : members) {
     const std::size_t compared = std::min(taken.size(), most_compared);
     const bool fits = std::all_of(taken.end() - static_cast<std::ptrdiff_t>(compared), taken.end(),
-                                  [&](const Member* other) { return distance(*other, member, region) <= border; });
+                                  [&](const Member* other) { return distance(*other, member, region) <= border_; });
     if (!fits) continue;
     taken.push_back(&member);
     replacements[member.surface->number] = {leader.surface->number, is_flipped(leader.form, member.form)};

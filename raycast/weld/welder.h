@@ -59,7 +59,9 @@ class Welder {
   Surface described(std::uint32_t number) const;
   std::vector<RegionForm> region_forms() const;
   Grouping::Groups groups_by_rounding();
+  Grouping::Groups groups_by_digits(std::span<const Replacement> replacements, WeldReport& report);
   Grouping::Groups groups_by_hand(std::span<const Replacement> replacements, WeldReport& report);
+  Grouping::Groups groups_that_touch(double most_gap, std::span<const Replacement> replacements, WeldReport& report);
   std::vector<LeafFaces> faces(std::span<const Replacement> replacements,
                                std::vector<Provenance::Source>& one_source) const;
   double distance(const Member& a, const Member& b, const Region& region);
@@ -75,8 +77,10 @@ class Welder {
   bool has_size_;
   Box everything_;
   Region region_;
-  bool by_hand_ = false;  // true if distance() measures in tolerances now, not in errors
-  double tolerance_ = 0;  // the tolerance of welding by hand, in the scene's unit of length
+  bool by_hand_ = false;   // true if distance() measures in tolerances now, not in errors
+  double border_ = 1;      // surfaces are one if their distance is at most this
+  double most_error_ = 0;  // an error above this share of the largest coefficient tells nothing
+  double tolerance_ = 0;   // the tolerance of welding by hand, in the scene's unit of length
   std::span<const Candidate> candidates_;
   NearPairs near_;
   std::uint64_t work_ = 0;

@@ -12,7 +12,7 @@
 
 #include "csg/base/error.h"
 #include "csg/base/precondition.h"
-#include "csg/base/whole_file.h"
+#include "csg/file/whole_file.h"
 #include "shade/module/picture_module.h"
 #include "shade/picture/detail/encode.h"
 #include "shade/picture/detail/png_file.h"

@@ -62,7 +62,7 @@ ROWS = [
      ["Solid.parts", "Solid.only", "Scene.parts", "Scene.only"], ["csgcast_options"], ["--part"]),
     ("bounds of a solid", ["bounds"], ["Solid.bounds"], ["csgcast_bounds"], ["info"]),
     ("Scene texts", None),
-    ("read a file, or text", ["read_file", "read", "build"], ["load", "read"],
+    ("read a file, or text", ["read_file", "read", "build", "is_unsupported"], ["load", "read"],
      ["csgcast_load", "csgcast_read", "csgcast_load_with", "csgcast_read_with"], "!all"),
     ("what a text holds", ["SceneDescription"],
      ["Scene", "Scene.solid", "Scene.camera", "Scene.lights", "Scene.background", "Scene.settings", "Scene.warnings"], "!kept",

@@ -128,10 +128,10 @@ TEST_CASE("C: facets, welding and parts are chosen on loading") {
     csgcast_free(model);
     return measures.volume;
   };
-  const double round = volume_with({sizeof(csgcast_options), CSGCAST_FACETS_AUTO, -1, names, 1});
+  const double round = volume_with({sizeof(csgcast_options), CSGCAST_FACETS_AUTO, -1, names, 1, 0});
   CHECK(round == Approx(4.0 / 3 * M_PI).epsilon(2e-4));
-  CHECK(volume_with({sizeof(csgcast_options), CSGCAST_FACETS_NEVER, 0, names, 1}) == Approx(round).epsilon(2e-4));
-  CHECK(volume_with({sizeof(csgcast_options), CSGCAST_FACETS_ALWAYS, 1e-9, names, 1}) < 0.999 * round);
+  CHECK(volume_with({sizeof(csgcast_options), CSGCAST_FACETS_NEVER, 0, names, 1, 0}) == Approx(round).epsilon(2e-4));
+  CHECK(volume_with({sizeof(csgcast_options), CSGCAST_FACETS_ALWAYS, 1e-9, names, 1, 0}) < 0.999 * round);
 
   csgcast_model* model = nullptr;
   const char* const nobody[] = {"nobody"};
@@ -147,6 +147,12 @@ TEST_CASE("C: facets, welding and parts are chosen on loading") {
   CHECK(last_error_has("size of the options"));
   REQUIRE(csgcast_read_with(text.data(), text.size(), "text", nullptr, &model) == CSGCAST_OK);
   CHECK(csgcast_part_count(model) == 2);
+  csgcast_free(model);
+  csgcast_options skipping = CSGCAST_OPTIONS;
+  skipping.skip_unsupported = 1;
+  const std::string hull = "hull() { cube(1); } cube(2);";
+  CHECK(csgcast_read_with(hull.data(), hull.size(), "text", nullptr, &model) == CSGCAST_BAD_INPUT);
+  REQUIRE(csgcast_read_with(hull.data(), hull.size(), "text", &skipping, &model) == CSGCAST_OK);
   csgcast_free(model);
   CHECK(csgcast_load_with("/nowhere", &wrong_weld, &model) == CSGCAST_BAD_INPUT);
   CHECK(model == nullptr);

@@ -80,6 +80,7 @@ TEST_CASE("info as JSON") {
   "statements": 2,
   "depth": 2,
   "statements_by_name": {"halfspace": 1, "part": 1},
+  "unsupported": [],
   "leaves": 1,
   "leaves_by_kind": {"halfspace": 1},
   "surfaces": {"planes": 1, "quadrics": 0, "shared": 0},
@@ -105,7 +106,7 @@ TEST_CASE("info as JSON") {
   "camera": null,
   "lights": [],
   "background": null,
-  "settings": {"max_depth": 5, "min_contribution": 0.001953125},
+  "settings": {"max_depth": 5, "min_contribution": 0.001953125, "digits": 17},
   "warnings": [],
   ")");
 }

@@ -60,7 +60,7 @@ TEST_CASE("measure of an empty and of an unbounded solid says so") {
   CHECK(contains(empty.out, "volume      0\n"));
   CHECK(contains(empty.out, "bounds      empty\n"));
   CHECK(run(folder, {"measure", "unbounded.csg"}).out ==
-        "volume      none: the solid may be unbounded: halfspace at 1:1; measured are parts\n");
+        "volume      none: the solid is open towards 0, 0, -1 (1:1); measured are parts\n");
   const std::string json = run(folder, {"measure", "unbounded.csg", "--format", "json"}).out;
   CHECK(contains(json, "\"unbounded\": true"));
   CHECK(contains(json, "\"volume\": null"));

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "csg/base/whole_file.h"
+#include "csg/file/whole_file.h"
 #include "csg/solid/primitives.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/syntax/reader.h"

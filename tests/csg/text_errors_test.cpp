@@ -330,6 +330,17 @@ TEST_CASE("what is not supported yet is named, first in the order of the file") 
   });
 }
 
+TEST_CASE("what is not supported yet is left out if asked for, with a warning, and what is below it with it") {
+  const SceneDescription scene = build(
+      read("cube(2);\nunion() { hull() { cube(9); } translate([5, 0, 0]) linear_extrude(1) { square(1); } }", "a.csg"),
+      {.skips_unsupported = true});
+  CHECK(scene.solid.leaf_count() == 1);
+  REQUIRE(scene.warnings.size() == 2);
+  CHECK(to_string(scene.warnings[0]) == "a.csg:2:11: warning: 'hull' is left out: it is not supported yet");
+  CHECK(to_string(scene.warnings[1]) == "a.csg:2:52: warning: 'linear_extrude' is left out: it is not supported yet");
+  check({"hull();\ntext(\"a\");", unsupported, 1, 1, "nor those of 1 more"});
+}
+
 TEST_CASE("files that cannot be read are refused") {
   const auto code_of = [](const std::string& path) -> std::optional<ErrorCode> {
     try {

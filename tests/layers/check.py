@@ -47,7 +47,7 @@ FOLDERS = MODULES + ["tests", "examples"]
 # The rooms of each module, floor by floor from the bottom up.
 FLOORS = [
     ["csg/base", "raycast/simd", "shade/light", "shade/module", "measure/sheet", "cli/output"],
-    ["csg/exact", "raycast/line", "shade/film", "measure/search", "measure/section", "cli/input"],
+    ["csg/exact", "csg/file", "raycast/line", "shade/film", "measure/search", "measure/section", "cli/input"],
     ["csg/solid", "raycast/surface", "shade/picture", "shade/trace", "cli/manual"],
     ["csg/text/syntax", "raycast/weld", "cli/command"],
     ["csg/text/statement", "raycast/scene"],

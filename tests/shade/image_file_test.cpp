@@ -13,7 +13,7 @@
 #include <random>
 
 #include "csg/base/error.h"
-#include "csg/base/whole_file.h"
+#include "csg/file/whole_file.h"
 #include "shade/picture/detail/encode.h"
 #include "shade/picture/detail/png_file.h"
 #include "shade/picture/detail/srgb_bytes.h"

@@ -432,15 +432,16 @@ class Scene:
         return Model(self._description.solid, weld, self._description, threads=threads)
 
 
-def load(path, facets="auto"):
+def load(path, facets="auto", *, skip_unsupported=False):
     """Reads a scene text (OpenSCAD's .csg, or csgcast's own). facets: which curved solids become polyhedra as in OpenSCAD:
-    those with $fn <= 16 ("auto"), all ("always"), none ("never")."""
-    return Scene._of(_core._load(_fspath(path), facets))
+    those with $fn <= 16 ("auto"), all ("always"), none ("never"). skip_unsupported: statements that are not supported yet
+    are left out, each with one of the scene's warnings; else they are an Error."""
+    return Scene._of(_core._load(_fspath(path), facets, skip_unsupported))
 
 
-def read(text, facets="auto"):
+def read(text, facets="auto", *, skip_unsupported=False):
     """The same for a text in memory."""
-    return Scene._of(_core._read(text, facets))
+    return Scene._of(_core._read(text, facets, skip_unsupported))
 
 
 def _compile(self, weld=None, *, threads=0):

@@ -13,6 +13,12 @@
 namespace csgcast::detail {
 namespace {
 
+bool is_mixed(std::size_t term) {
+  return term == QuadricForm::xy || term == QuadricForm::xz || term == QuadricForm::yz;
+}
+
+bool is_second_degree(std::size_t term) { return term < QuadricForm::x; }
+
 double magnitude_sum(const QuadricForm& form) {
   double sum = 0;
   for (const Dyadic& c : form.coefficient) sum += std::fabs(c.nearest());
@@ -36,20 +42,31 @@ QuadricForm plane_form(const std::string& statement, Vector normal, double dista
   return QuadricForm::plane(normal.x, normal.y, normal.z, -Dyadic(distance));
 }
 
-LeafShape halfspace_shape(QuadricForm plane) {
+LeafShape halfspace_shape(QuadricForm plane, Digits digits) {
   LeafShape shape;
   shape.kind = LeafKind::halfspace;
   shape.bounds = bounds(plane);
   shape.is_convex_polyhedron = true;
-  shape.error.scales_with_axes = false;
-  shape.error.errors.push_back(coefficient_error(plane));
+  shape.error.axes = {};
+  shape.error.digits = digits;
+  shape.error.errors.push_back(coefficient_error(plane, digits));
   shape.forms.push_back(plane);
   return shape;
 }
 
-FormError coefficient_error(const QuadricForm& form) {
+FormError coefficient_error(const QuadricForm& form, Digits digits) {
+  using Form = QuadricForm;
+  std::array<double, Form::term_count> given;
+  bool has_longest = false;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    given[i] = form.coefficient[i].nearest() * (is_mixed(i) ? 0.5 : 1);
+    has_longest = has_longest || (is_second_degree(i) && digits.uses_all(given[i]));
+  }
   FormError error;
-  for (std::size_t i = 0; i < error.size(); ++i) error[i] = 0x1p-53 * std::fabs(form.coefficient[i].nearest());
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    const bool beside_longer = has_longest && is_second_degree(i);
+    error[i] = (beside_longer ? digits.error_beside_longer(given[i]) : digits.error(given[i])) * (is_mixed(i) ? 2 : 1);
+  }
   return error;
 }
 
@@ -73,7 +90,7 @@ void set_forms(LeafShape& shape, const std::vector<FormWithError>& forms) {
   const auto same = [](const FormWithError& a, const FormWithError& b) { return a.form == b.form; };
   std::sort(sorted.begin(), sorted.end(), less);
   sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
-  shape.error.scales_with_axes = false;
+  shape.error.axes = {};
   shape.forms.reserve(sorted.size());
   shape.error.errors.reserve(sorted.size());
   for (const FormWithError& f : sorted) {

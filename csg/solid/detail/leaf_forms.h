@@ -21,10 +21,10 @@ void require_finite(const std::string& statement, std::initializer_list<double> 
 QuadricForm plane_form(const std::string& statement, Vector normal, double distance);
 
 /// The half-space where a plane form is <= 0. The form's coefficients must be the numbers that were given.
-LeafShape halfspace_shape(QuadricForm plane);
+LeafShape halfspace_shape(QuadricForm plane, Digits digits);
 
-/// The error if each coefficient is known to half an ulp.
-FormError coefficient_error(const QuadricForm& form);
+/// The error if each coefficient is a number of a text with these digits. One that counts twice was given as its half.
+FormError coefficient_error(const QuadricForm& form, Digits digits);
 
 struct FormWithError {
   QuadricForm form;

@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "csg/base/tree_walk.h"
+#include "csg/text/statement/detail/document_digits.h"
 #include "csg/text/statement/detail/statements.h"
+#include "csg/text/syntax/each_statement.h"
 #include "csg/text/syntax/openscad_language.h"
 #include "csg/text/syntax/shortened.h"
 #include "csg/text/syntax/suggestion.h"
@@ -80,7 +82,7 @@ class Builder {
 
   const Statement& statement_of(const Node& node) const;
   Call call(const Node& node, const Statement& statement, const SpecialVariables& specials = {}) {
-    return {node, document_.file, statement.parameters, options_, specials, scene_.warnings};
+    return {node, document_.file, statement.parameters, options_, scene_.digits, specials, scene_.warnings};
   }
   void set_specials(std::span<const Node> nodes, SpecialVariables& specials);
   Place place(const Node& node) const { return {document_.file, node.line, node.column}; }
@@ -92,11 +94,16 @@ class Builder {
   Document document_;
   const BuildOptions& options_;
   SceneDescription scene_;
+  std::uint64_t unsupported_ = 0;                    ///< how many statements are
   std::vector<std::string_view> applied_;            ///< names of the scene statements so far
   std::unordered_map<std::string, int> part_lines_;  ///< where each part name stood first
 };
 
 SceneDescription Builder::build() {
+  each_statement(std::span<const Node>(document_.nodes),
+                 [this](const Node& node) { unsupported_ += is_unsupported(node) ? 1 : 0; });
+  const std::optional<Digits> given = digits_given(document_);
+  scene_.digits = given ? *given : digits_shown(document_);
   SpecialVariables specials;
   set_specials(document_.nodes, specials);
   Node* root = find_root(document_.nodes);
@@ -118,7 +125,7 @@ void Builder::set_specials(std::span<const Node> nodes, SpecialVariables& specia
   static const Parameters value{{"value"}, {}};
   for (const Node& node : nodes) {
     if (!is_special_variable(node) || is_skipped(node)) continue;
-    const Call variable(node, document_.file, value, options_, {}, scene_.warnings);
+    const Call variable(node, document_.file, value, options_, {}, {}, scene_.warnings);
     if (std::optional<double>* special = specials.find(node.name)) {
       *special = variable.number("value");
     } else {
@@ -140,6 +147,10 @@ Solid Builder::build_solid(std::span<Node> nodes, const SpecialVariables& specia
 
 std::optional<Builder::Operator> Builder::enter(Node& node, Operator& above) {
   if (is_skipped(node) || is_special_variable(node)) return std::nullopt;
+  if (options_.skips_unsupported && is_unsupported(node)) {
+    scene_.warnings.push_back({place(node), fmt::format("'{}' is left out: it is not supported yet", node.name)});
+    return std::nullopt;
+  }
   const Statement& statement = statement_of(node);
   if (const auto* meaning = std::get_if<OperatorStatement>(&statement.meaning)) {
     return open(node, statement, *meaning, above.below);
@@ -171,9 +182,13 @@ const Statement& Builder::statement_of(const Node& node) const {
                              fmt::format("if it is a module of an OpenSCAD program, {}", export_remedy)));
   }
   if (std::holds_alternative<UnsupportedStatement>(statement->meaning)) {
+    const std::uint64_t more = unsupported_ > 0 ? unsupported_ - 1 : 0;
     throw Error(ErrorCode::unsupported, place(node), fmt::format("'{}' is not supported yet", node.name),
-                "it is valid OpenSCAD, but csgcast cannot make its solid",
-                "remove it, or leave it out with '*' before it");
+                more == 0 ? "it is valid OpenSCAD, but csgcast cannot make its solid"
+                          : fmt::format("it is valid OpenSCAD, but csgcast cannot make its solid, nor those of {} more "
+                                        "statements",
+                                        more),
+                "csgcast info lists all; --skip-unsupported leaves them out, as '*' before one does");
   }
   return *statement;
 }
@@ -238,6 +253,11 @@ void Builder::warn_of_repeated_part(const Call& part) {
 }
 
 }  // namespace
+
+bool is_unsupported(const Node& statement) {
+  const Statement* found = find_statement(statement.name);
+  return found != nullptr && std::holds_alternative<UnsupportedStatement>(found->meaning);
+}
 
 SceneDescription build(Document document, const BuildOptions& options) {
   return Builder(std::move(document), options).build();

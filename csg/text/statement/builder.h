@@ -15,11 +15,15 @@ enum class Facets {
 
 struct BuildOptions {
   Facets facets = Facets::automatic;
+  bool skips_unsupported = false;  ///< statements of OpenSCAD that have no solid here yet are left out, with a warning
 };
+
+/// Whether a statement is OpenSCAD's, and has no solid here yet.
+bool is_unsupported(const Node& statement);
 
 /// What the statements mean; each is given up once it is built, so a document that is moved here and the solids take
 /// little more memory than one of them. Throws Error naming the first (in file order) statement that is unknown,
-/// wrongly used or not supported yet, with its place.
+/// wrongly used or not supported yet, with its place; the message about the last tells how many more there are.
 SceneDescription build(Document document, const BuildOptions& options = {});
 
 }  // namespace csgcast::text

@@ -7,6 +7,8 @@
 
 #include "csg/base/error.h"
 #include "csg/base/tree_walk.h"
+#include "csg/solid/leaf_shape.h"
+#include "csg/text/statement/detail/document_digits.h"
 #include "csg/text/statement/detail/leaf_statement.h"
 
 namespace csgcast::text {
@@ -56,6 +58,8 @@ Node matrix_statement(const Transform& t) {
   rows.push_back({List{number_value(0), number_value(0), number_value(0), number_value(1)}});
   Node node = statement("multmatrix");
   add_argument(node, "m", {std::move(rows)});
+  if (t.linear_error > 0 || t.offset_error > 0)
+    add_argument(node, "error", {List{number_value(t.linear_error), number_value(t.offset_error)}});
   return node;
 }
 
@@ -110,6 +114,30 @@ void insert_below(Node& node, Node inner) {
   node.children.push_back(std::move(inner));
 }
 
+/// The digits of a solid's numbers. If those of its parts differ, the fewest.
+class FewestDigits {
+ public:
+  void add(const Solid& solid) {
+    if (solid.kind() == Kind::leaf) add(solid.shape().error.digits);
+    if (solid.kind() == Kind::transform) add(solid.transform().digits);
+  }
+
+  Digits get() const { return fewest_; }
+
+ private:
+  void add(Digits digits) {
+    if (digits.count() < fewest_.count()) fewest_ = digits;
+  }
+
+  Digits fewest_;
+};
+
+Node digits_statement(Digits digits) {
+  Node node = statement("settings");
+  add_argument(node, "digits", number_value(digits.count()));
+  return node;
+}
+
 /// Gives statements the places of the nodes that they are made of, in one file: the first there is.
 class Places {
  public:
@@ -134,11 +162,13 @@ class Places {
 Document document_of(const Solid& solid) {
   std::size_t statements = 0;
   Places places;
+  FewestDigits digits;
   TreeWalk<const Solid, Node> walk;
   Node whole = walk.run(
       {&solid, 1}, Node{},
       [&](const Solid& part, Node& above) -> std::optional<Node> {
         if (++statements > most_statements || part.leaf_count() > most_statements) fail_as_too_long(part);
+        digits.add(part);
         if (part.kind() == Kind::leaf) {
           above.children.push_back(statement_of_leaf(part));
           places.mark(above.children.back(), part.place());
@@ -158,6 +188,9 @@ Document document_of(const Solid& solid) {
   Document document;
   document.file = places.file();
   document.nodes.swap(whole.children);
+  // What the text shows by itself needs no word, unless a reader would take it for something else.
+  if (digits.get().are_few() || digits_shown(document).are_few())
+    document.nodes.insert(document.nodes.begin(), digits_statement(digits.get()));
   return document;
 }
 

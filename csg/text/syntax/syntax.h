@@ -48,6 +48,8 @@ struct Node {
   std::string name;
   std::uint8_t modifiers = 0;
   std::vector<Argument> arguments;
+  /// The most significant digits of a number in the arguments, but for whole ones and those of special variables.
+  std::uint8_t digits = 0;
   bool has_block = false;  ///< `{ }` rather than `;`
   std::vector<Node> children;
   int line = 0;

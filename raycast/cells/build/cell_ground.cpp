@@ -102,6 +102,10 @@ void CellGround::place_leaves(NodeId node) {
   if (!is_bounded || scene.node(node).box.is_null()) return;
   const CellBox solid = axes ? turned_box_of(node) : in_frame(scene.node(node).box, scene.frame());
   box = grown(solid, face_clearance);
+  // Nothing beyond the solid's box is looked at, so unbounded leaves end there.
+  for (CellBox& leaf : leaf_boxes) {
+    if (!is_finite(leaf.upper - leaf.lower)) leaf = intersection(leaf, box);
+  }
 }
 
 CellBox CellGround::box_of(const Box& world) const { return grown(tight_box_of(world), face_clearance); }

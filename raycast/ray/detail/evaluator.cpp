@@ -32,6 +32,7 @@ const IntervalList& Evaluator::evaluate(NodeId node, Span span, Want want) {
                             [this](const Crossing& a, const Crossing& b) { return cache_.order(a, b); });
         std::swap(scratch_, lists_[list_count_ - 1]);
       }
+      if (open.node->is_cut) cache_.keep_within_cube(lists_[list_count_ - 1]);
       open_.pop_back();
       deliver();
       continue;

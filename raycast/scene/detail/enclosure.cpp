@@ -7,7 +7,6 @@
 #include <span>
 #include <utility>
 
-#include "csg/exact/dyadic.h"
 #include "csg/exact/quadric_form.h"
 #include "raycast/surface/cell_form.h"
 
@@ -57,22 +56,6 @@ class HeldBox {
   Vector middle_;
   Vector half_;
 };
-
-// True if f is convex; then the closed set f <= 0 is convex, too. The exact criterion is that the symmetric matrix of
-// the second degree has no negative principal minor. The code uses twice that matrix, and is exact.
-bool is_convex(const QuadricForm& f) {
-  const auto& c = f.coefficient;
-  const auto minor = [&](std::size_t i, std::size_t j) {
-    const Dyadic& mixed = c[Form::second_degree(i, j)];
-    return Dyadic(4) * c[Form::xx + i] * c[Form::xx + j] - mixed * mixed;
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (c[Form::xx + i].sign() < 0 || minor(i, (i + 1) % 3).sign() < 0) return false;
-  }
-  const Dyadic determinant = c[Form::xx] * minor(1, 2) + c[Form::xy] * c[Form::xz] * c[Form::yz] -
-                             c[Form::yy] * c[Form::xz] * c[Form::xz] - c[Form::zz] * c[Form::xy] * c[Form::xy];
-  return determinant.sign() >= 0;
-}
 
 // True if normals computed near the solid are accurate enough to tell on which side a ray leaves such a set. The
 // lengths of the normals have a lower bound if f is convex and far below 0 in the solid's middle (docs/accuracy.md,

@@ -27,7 +27,9 @@ NodeId NodeBuilder::append(const Node& node) {
   return NodeId(static_cast<std::uint32_t>(tables_.nodes.size() - 1));
 }
 
-NodeId NodeBuilder::add_leaf(LeafId leaf, const Box& box) { return append({Node::Op::leaf, leaf.index(), 0, box}); }
+NodeId NodeBuilder::add_leaf(LeafId leaf, const Box& box) {
+  return append({.op = Node::Op::leaf, .first = leaf.index(), .box = box});
+}
 
 Box NodeBuilder::box_of(Node::Op op, std::span<const NodeId> children) const {
   if (op == Node::Op::empty) return {};
@@ -45,7 +47,7 @@ NodeId NodeBuilder::add(Node::Op op, std::span<const NodeId> children) {
   const Box box = box_of(op, children);
   const bool empty =
       op == Node::Op::empty || (op != Node::Op::complement && op != Node::Op::everything && box.is_null());
-  Node node{empty ? Node::Op::empty : op, 0, 0, box};
+  Node node{.op = empty ? Node::Op::empty : op, .box = box};
   if (!empty) {
     node.first = static_cast<std::uint32_t>(tables_.children.size());
     node.count = static_cast<std::uint32_t>(children.size());

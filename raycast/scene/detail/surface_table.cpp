@@ -65,6 +65,10 @@ HalfSpace SurfaceTable::half_space(const OtherForm& f, const Box& leaf) {
   return {id, flipped ? Sense::positive : Sense::negative};
 }
 
+void SurfaceTable::set_local(const std::vector<bool>& is_local) {
+  for (std::size_t i = 0; i < entries_.size(); ++i) entries_[i].is_local = is_local[i];
+}
+
 std::vector<HalfSpace> SurfaceTable::merge(std::span<const Replacement> replacements) {
   std::vector<HalfSpace> now(entries_.size());
   std::vector<SurfaceId> id_of(entries_.size());

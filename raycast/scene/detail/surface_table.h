@@ -30,6 +30,9 @@ class SurfaceTable {
     return entry.other == nullptr ? &entry.form : nullptr;
   }
 
+  /// Says for each surface whether it matters in the frame's cube only (Surface::is_local).
+  void set_local(const std::vector<bool>& is_local);
+
   /// Replaces surface i by replacements[i], for all i. The replacement is surface i itself, or a surface that stays
   /// itself. The remaining ids close up, in the order of first appearance. Returns for each old surface what its
   /// positive side is now.
@@ -44,7 +47,7 @@ class SurfaceTable {
     PackedForm form;
     std::shared_ptr<const OtherForm> other;  // set instead, if the surface is neither a plane nor a quadric; else null
     Point near;     // the middle of one leaf that owns the surface; NaN on an axis along which that leaf is unbounded
-    bool is_local;  // true if all leaves that own the surface are bounded
+    bool is_local;  // true if all leaves that own the surface are bounded, or set_local() said so
   };
 
   template <class Same>

@@ -66,8 +66,8 @@ bool counts_as_undef(const Value& value) {
 }
 
 Call::Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options,
-           const SpecialVariables& specials, std::vector<Warning>& warnings)
-    : node_(node), file_(file), options_(options), specials_(specials), warnings_(warnings) {
+           Digits digits, const SpecialVariables& specials, std::vector<Warning>& warnings)
+    : node_(node), file_(file), options_(options), digits_(digits), specials_(specials), warnings_(warnings) {
   std::size_t position = 0;
   for (const Argument& argument : node.arguments) bind(argument, parameters, position);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/base/digits.h"
 #include "csg/base/error.h"
 #include "csg/base/vector.h"
 #include "csg/solid/look.h"
@@ -50,7 +51,7 @@ class Call {
  public:
   /// Throws Error(unknown_name) for a name that is none of the parameters, Error(bad_value) for one given twice and for
   /// too many positional ones.
-  Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options,
+  Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options, Digits digits,
        const SpecialVariables& specials, std::vector<Warning>& warnings);
 
   const std::string& name() const { return node_.name; }
@@ -59,6 +60,8 @@ class Call {
   /// Where the argument stands; the statement's place if it is not given.
   Place place(std::string_view name) const;
   const BuildOptions& options() const { return options_; }
+  /// How many the numbers of the text have.
+  Digits digits() const { return digits_; }
   void warn(std::string text) const { warnings_.push_back({place(), std::move(text)}); }
 
   /// The value of an argument; null if it counts as not given.
@@ -105,6 +108,7 @@ class Call {
   const Node& node_;
   const FileName& file_;
   const BuildOptions& options_;
+  Digits digits_;
   SpecialVariables specials_;
   std::vector<Warning>& warnings_;
   std::vector<std::pair<std::string_view, const Argument*>> bound_;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "csg/solid/mesh.h"
 #include "csg/solid/primitives.h"
@@ -72,12 +73,22 @@ Solid make_convex(const Call& call) {
     call.reject(ErrorCode::bad_value, call.place(), "'convex' needs either 'points' or 'planes'",
                 points == nullptr ? "neither is given" : "both are given", "give one of them");
   }
-  if (points != nullptr) return warn_if_empty(call, convex_from_points(read_points(call, *points)), no_volume);
+  const std::optional<Vector> error = call.vector("error");
+  if (error) {
+    call.require(points != nullptr, "error", "stand beside 'points'");
+    call.require(error->x >= 0 && error->y >= 0 && error->z >= 0, "error", "not be negative");
+  }
+  if (points != nullptr) {
+    const std::vector<Point> read = read_points(call, *points);
+    return warn_if_empty(call, error ? convex_from_points(read, *error) : convex_from_points(read, call.digits()),
+                         no_volume);
+  }
   std::vector<PlaneEquation> equations;
   equations.reserve(planes->size());
   for (const Value& plane : *planes) equations.push_back(read_plane(call, plane));
   call.require(!equations.empty(), "planes", "hold at least one plane");
-  return warn_if_empty(call, convex_from_planes(equations), "no point is on the inner side of all its planes");
+  return warn_if_empty(call, convex_from_planes(equations, call.digits()),
+                       "no point is on the inner side of all its planes");
 }
 
 Solid make_polyhedron(const Call& call) {
@@ -99,7 +110,7 @@ Solid make_polyhedron(const Call& call) {
     call.reject(ErrorCode::unsupported, call.place(), "this polyhedron is not convex",
                 "only convex ones are supported yet", "compose it of convex ones by union and difference");
   }
-  return warn_if_empty(call, convex_from_points(mesh.points), no_volume);
+  return warn_if_empty(call, convex_from_points(mesh.points, call.digits()), no_volume);
 }
 
 }  // namespace csgcast::text

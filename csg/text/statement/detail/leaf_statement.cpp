@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "csg/base/digits.h"
 #include "csg/solid/leaf_shape.h"
 #include "csg/solid/primitives.h"
 
@@ -154,11 +155,12 @@ std::optional<Node> quadric_or_plane(const QuadricForm& form) {
   return node;
 }
 
-Node hull_of(const std::vector<Point>& points) {
+Node hull_of(const std::vector<Point>& points, Vector error) {
   List list;
   for (const Point& p : points) list.push_back(list_value({p.x, p.y, p.z}));
   Node node = statement("convex");
   add_argument(node, "points", {std::move(list)});
+  if (error != Vector{}) add_argument(node, "error", list_value(error));
   return node;
 }
 
@@ -196,6 +198,17 @@ std::optional<Node> truth_formula_of(const LeafShape& shape) {
   return std::move(nodes.front());
 }
 
+/// As Node::digits counts them. Lists nest a few levels deep here.
+std::uint8_t most_digits(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value.data))
+    return *number == std::trunc(*number) ? 0 : static_cast<std::uint8_t>(digits_used(*number));
+  std::uint8_t most = 0;
+  if (const auto* list = std::get_if<List>(&value.data)) {
+    for (const Value& entry : *list) most = std::max(most, most_digits(entry));
+  }
+  return most;
+}
+
 }  // namespace
 
 Value number_value(double number) { return {number}; }
@@ -209,6 +222,7 @@ Node statement(std::string name) {
 }
 
 void add_argument(Node& node, std::string name, Value value) {
+  node.digits = std::max(node.digits, most_digits(value));
   node.arguments.push_back({std::move(name), std::move(value)});
 }
 
@@ -217,7 +231,7 @@ std::optional<Node> leaf_statement(const LeafShape& shape) {
   if (shape.inside != nullptr) return truth_formula_of(shape);
   Candidate primitive = primitive_of(shape);
   if (makes(primitive, shape)) return std::move(primitive.node);
-  if (!shape.vertices.empty()) return hull_of(shape.vertices);
+  if (!shape.vertices.empty()) return hull_of(shape.vertices, shape.error.axes);
   if (shape.forms.size() == 1) return quadric_or_plane(shape.forms.front());
   return planes_of(shape.forms);
 }

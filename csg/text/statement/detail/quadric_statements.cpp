@@ -37,34 +37,35 @@ Matrix3 symmetric_matrix(const Call& call, std::string_view name) {
 }  // namespace
 
 Solid make_ellipsoid(const Call& call) {
-  return warn_if_empty(call, ellipsoid(call.required_vector("r")), "a semi-axis is not greater than 0");
+  return warn_if_empty(call, ellipsoid(call.required_vector("r"), call.digits()), "a semi-axis is not greater than 0");
 }
 
 Solid make_paraboloid(const Call& call) {
   const double h = call.required_number("h");
   const double r = call.required_number("r");
-  return warn_if_empty(call, paraboloid(h, r), "h or r is not greater than 0");
+  return warn_if_empty(call, paraboloid(h, r, call.digits()), "h or r is not greater than 0");
 }
 
 Solid make_hyperboloid(const Call& call) {
   const double h = call.required_number("h");
   const double r = call.required_number("r");
   const double waist = call.required_number("waist");
-  return warn_if_empty(call, hyperboloid(h, r, waist), "it needs h > 0 and radii that are not negative and not both 0");
+  return warn_if_empty(call, hyperboloid(h, r, waist, call.digits()),
+                       "it needs h > 0 and radii that are not negative and not both 0");
 }
 
 Solid make_quadric(const Call& call) {
   const Matrix3 a = symmetric_matrix(call, "A");
   const Vector b = call.required_vector("b");
   const double c = call.required_number("c");
-  return warn_if_empty(call, quadric({a[0][0], a[1][1], a[2][2], a[0][1], a[0][2], a[1][2]}, b, c),
+  return warn_if_empty(call, quadric({a[0][0], a[1][1], a[2][2], a[0][1], a[0][2], a[1][2]}, b, c, call.digits()),
                        "no region satisfies its inequality");
 }
 
 Solid make_halfspace(const Call& call) {
   const Vector normal = call.required_vector("n");
   call.require(normal != Vector{}, "n", "not be the zero vector");
-  return halfspace(normal, call.required_number("d"));
+  return halfspace(normal, call.required_number("d"), call.digits());
 }
 
 }  // namespace csgcast::text

@@ -6,6 +6,7 @@
 
 #include "csg/base/length.h"
 #include "csg/text/statement/detail/color_argument.h"
+#include "csg/text/statement/detail/document_digits.h"
 
 namespace csgcast::text {
 namespace {
@@ -69,6 +70,9 @@ void apply_settings(const Call& call, SceneDescription& scene) {
   settings.max_depth = is_whole ? static_cast<int>(depth) : -1;
   settings.min_contribution = call.number_or("min_contribution", settings.min_contribution);
   call.require(broken_rule(settings));
+  // What they say was read before the first solid was made.
+  if (const std::optional<double> digits = call.number("digits"))
+    call.require(is_digit_count(*digits), "digits", "be a whole number from 1 to 17");
 }
 
 }  // namespace csgcast::text

@@ -44,6 +44,11 @@ std::optional<int> polygon_sides(const Call& call, double radius, PointCount poi
   return static_cast<int>(sides);
 }
 
+/// What share of it a size may be off by its few digits.
+double share(const Call& call, double size) {
+  return call.digits().are_few() && size > 0 ? call.digits().error(size) / size : 0;
+}
+
 }  // namespace
 
 Solid warn_if_empty(const Call& call, Solid solid, std::string_view why) {
@@ -64,13 +69,18 @@ Solid make_cube(const Call& call) {
   } else {
     size = call.vector("size").value_or(size);
   }
-  return warn_if_empty(call, box(size, centering(call)), "a size is not greater than 0");
+  return warn_if_empty(call, box(size, centering(call), call.digits()), "a size is not greater than 0");
 }
 
 Solid make_sphere(const Call& call) {
   const double r = radius(call, "r", "d").value_or(1);
   const auto sides = polygon_sides(call, r, [](double n) { return n * (n + 1) / 2; });
-  Solid solid = !(r > 0) ? Solid() : sides ? convex_from_points(sphere_vertices(r, *sides)) : sphere(r);
+  Solid solid;
+  if (r > 0 && sides) {
+    solid = convex_from_points(sphere_vertices(r, *sides), Vector{share(call, r), share(call, r), share(call, r)});
+  } else if (r > 0) {
+    solid = sphere(r, call.digits());
+  }
   return warn_if_empty(call, std::move(solid), "its radius is not greater than 0");
 }
 
@@ -90,9 +100,11 @@ Solid make_cylinder(const Call& call) {
   if (has_interior && sides) {
     const double bottom = centred == Centering::centered ? -h / 2 : 0;
     const double top = centred == Centering::centered ? h / 2 : h;
-    solid = convex_from_points(cylinder_vertices(bottom, top, bottom_radius, top_radius, *sides));
+    const double r_share = std::max(share(call, bottom_radius), share(call, top_radius));
+    solid = convex_from_points(cylinder_vertices(bottom, top, bottom_radius, top_radius, *sides),
+                               Vector{r_share, r_share, share(call, h)});
   } else if (has_interior) {
-    solid = cylinder(h, bottom_radius, top_radius, centred);
+    solid = cylinder(h, bottom_radius, top_radius, centred, call.digits());
   }
   return warn_if_empty(call, std::move(solid), "it needs h > 0 and radii that are not negative and not both 0");
 }

@@ -18,7 +18,7 @@ Parameters with_specials(std::vector<std::string_view> positional, std::vector<s
 
 void add_solids(std::vector<Statement>& table) {
   const auto add = [&](std::string_view name, Parameters parameters, Solid (*make)(const Call&)) {
-    table.push_back({name, std::move(parameters), SolidStatement{make}});
+    table.push_back({name, std::move(parameters), SolidStatement{make}, true});
   };
   add("cube", with_specials({"size", "center"}), make_cube);
   add("sphere", with_specials({"r"}, {"d"}), make_sphere);
@@ -28,7 +28,7 @@ void add_solids(std::vector<Statement>& table) {
   add("hyperboloid", with_specials({"h", "r", "waist"}), make_hyperboloid);
   add("quadric", with_specials({"A", "b", "c"}), make_quadric);
   add("halfspace", with_specials({"n", "d"}), make_halfspace);
-  add("convex", with_specials({}, {"points", "planes"}), make_convex);
+  add("convex", with_specials({}, {"points", "planes", "error"}), make_convex);
   add("polyhedron", with_specials({"points", "faces", "convexity"}, {"triangles"}), make_polyhedron);
 }
 
@@ -45,16 +45,23 @@ void add_operators(std::vector<Statement>& table) {
   add("intersection", {}, make_intersection, forbidden);
   add("complement", {}, make_complement, forbidden);
   add("part", {"name", "density"}, make_part, forbidden);
-  add("multmatrix", {"m"}, make_multmatrix);
-  add("translate", {"v"}, make_translate);
-  add("rotate", {"a", "v"}, make_rotate);
-  add("scale", {"v"}, make_scale);
-  add("mirror", {"v"}, make_mirror);
   add("color", {"c", "alpha"}, make_color);
   add("material",
       {"color", "ambient", "diffuse", "specular", "shininess", "reflection", "transmission", "ior", "emission",
        "absorption"},
       make_material);
+}
+
+void add_transforms(std::vector<Statement>& table) {
+  const auto add = [&](std::string_view name, std::vector<std::string_view> positional, Combine (*make)(const Call&),
+                       std::vector<std::string_view> named = {}) {
+    table.push_back({name, with_specials(std::move(positional), std::move(named)), OperatorStatement{make}, true});
+  };
+  add("multmatrix", {"m"}, make_multmatrix, {"error"});
+  add("translate", {"v"}, make_translate);
+  add("rotate", {"a", "v"}, make_rotate);
+  add("scale", {"v"}, make_scale);
+  add("mirror", {"v"}, make_mirror);
 }
 
 void add_scene(std::vector<Statement>& table) {
@@ -66,7 +73,7 @@ void add_scene(std::vector<Statement>& table) {
   add("camera", {"eye", "look_at", "up", "fov", "height"}, apply_camera, once);
   add("light", {"position", "direction", "color", "intensity", "falloff"}, apply_light, many);
   add("background", {"color", "image"}, apply_background, once);
-  add("settings", {"max_depth", "min_contribution"}, apply_settings, once);
+  add("settings", {"max_depth", "min_contribution", "digits"}, apply_settings, once);
 }
 
 void add_unsupported(std::vector<Statement>& table) {
@@ -82,6 +89,7 @@ const std::vector<Statement>& table() {
     std::vector<Statement> result;
     add_solids(result);
     add_operators(result);
+    add_transforms(result);
     add_scene(result);
     add_unsupported(result);
     return result;

@@ -41,6 +41,7 @@ struct Statement {
   std::string_view name;
   Parameters parameters;
   std::variant<SolidStatement, OperatorStatement, SceneStatement, UnsupportedStatement> meaning;
+  bool has_lengths = false;  ///< whether its numbers are a solid's or a transform's
 };
 
 /// The statement of that name; null if there is none.

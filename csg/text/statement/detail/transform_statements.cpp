@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "csg/exact/affine.h"
@@ -22,6 +24,20 @@ Combine move_by(const Call& call, const Transform& transform) {
   return [transform, finite](std::vector<Solid> children) {
     return finite ? transformed(unite(std::move(children)), transform) : Solid();
   };
+}
+
+// Quotients have other digits than the entries, so what these may be off goes along.
+Transform divided(const Transform& t, double by) {
+  Transform result;
+  const bool finite = t.is_finite();
+  const std::array<double, 12> errors = finite ? t.errors() : std::array<double, 12>{};
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    result.entry[i] = t.entry[i] / by;
+    if (!t.digits.are_few() && t.linear_error == 0 && t.offset_error == 0) continue;
+    double& most = i % 4 == 3 ? result.offset_error : result.linear_error;
+    most = std::fmax(most, std::fabs(errors[i] / by));
+  }
+  return result;
 }
 
 void require_at_most_four(const Call& call, const Value& place, std::size_t count, std::string_view what) {
@@ -47,6 +63,19 @@ Matrix4 read_matrix(const Call& call) {
   return m;
 }
 
+// `error`, which csgcast writes: how far entries of the linear part and of the last column are off. Then their digits
+// tell nothing.
+void read_errors(const Call& call, Transform& transform) {
+  const List* errors = call.list("error");
+  if (errors == nullptr) return;
+  call.require(errors->size() == 2, "error", "be a list of two numbers, of the linear part and the last column");
+  const std::array<double, 2> read{call.entry((*errors)[0], "an error"), call.entry((*errors)[1], "an error")};
+  call.require(read[0] >= 0 && read[1] >= 0, "error", "not be negative");
+  transform.digits = {};
+  transform.linear_error = read[0];
+  transform.offset_error = read[1];
+}
+
 }  // namespace
 
 Combine make_multmatrix(const Call& call) {
@@ -55,16 +84,17 @@ Combine make_multmatrix(const Call& call) {
     call.warn("the last row of 'multmatrix' asks for a perspective, which is ignored, as in OpenSCAD");
   }
   Transform transform;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) transform.entry[4 * i + j] = m[i][j] / m[3][3];
-  }
+  for (std::size_t i = 0; i < 3; ++i) std::copy(m[i].begin(), m[i].end(), transform.entry.begin() + 4 * i);
+  transform.digits = call.digits();
+  read_errors(call, transform);
+  if (m[3][3] != 1) transform = divided(transform, m[3][3]);
   return move_by(call, transform);
 }
 
 Combine make_translate(const Call& call) {
   const auto offset = call.padded_vector("v", 0);
   if (!offset) call.missing("v", "a list of three numbers");
-  return move_by(call, translation(*offset));
+  return move_by(call, translation(*offset, call.digits()));
 }
 
 Combine make_rotate(const Call& call) {
@@ -74,27 +104,27 @@ Combine make_rotate(const Call& call) {
     const auto angles = call.padded_vector("a", 0);
     if (!angles) call.missing("a", "a list of three angles in degrees");
     if (call.find("v") != nullptr) call.warn("'v' of 'rotate' is ignored, since 'a' is a list");
-    return move_by(call, rotation(*angles));
+    return move_by(call, rotation(*angles, call.digits()));
   }
   const double degrees = call.required_number("a");
-  return move_by(call, rotation(degrees, call.vector("v").value_or(Vector{0, 0, 1})));
+  return move_by(call, rotation(degrees, call.vector("v").value_or(Vector{0, 0, 1}), call.digits()));
 }
 
 Combine make_scale(const Call& call) {
   const Value* factor = call.find("v");
   if (factor != nullptr && std::holds_alternative<double>(factor->data)) {
     const double f = call.required_number("v");
-    return move_by(call, scaling({f, f, f}));
+    return move_by(call, scaling({f, f, f}, call.digits()));
   }
   const auto factors = call.padded_vector("v", 1);
   if (!factors) call.missing("v", "a factor, or a list of three");
-  return move_by(call, scaling(*factors));
+  return move_by(call, scaling(*factors, call.digits()));
 }
 
 Combine make_mirror(const Call& call) {
   const auto normal = call.padded_vector("v", 0);
   if (!normal) call.missing("v", "the normal of the mirror's plane, a list of three numbers");
-  return move_by(call, mirroring(*normal));
+  return move_by(call, mirroring(*normal, call.digits()));
 }
 
 }  // namespace csgcast::text

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "csg/base/digits.h"
 #include "csg/base/number_text.h"
 #include "csg/text/syntax/openscad_language.h"
 #include "csg/text/syntax/shortened.h"
@@ -151,7 +154,9 @@ Node Parser::statement_head() {
          "write its arguments in ( ), even if there are none");
   const Token opening = token_;
   step();
+  digits_ = 0;
   node.arguments = arguments(opening);
+  node.digits = static_cast<std::uint8_t>(std::min(digits_, Digits::most));
   return node;
 }
 
@@ -207,8 +212,10 @@ Argument Parser::argument() {
   const Token first = token_;
   step();
   if (accept('=')) {
+    const int before = digits_;
     result.name = first.spelling;
     result.value = value(0);
+    if (result.name.starts_with('$')) digits_ = before;
   } else {
     result.value = word(first);
   }
@@ -263,6 +270,7 @@ Value Parser::number(const Token& first, Sign sign) {
     throw Error(ErrorCode::bad_value, place(first), fmt::format("{} is too large", describe(token_)),
                 "the largest double is about 1.8e308", "write a smaller number");
   }
+  if (magnitude.value != std::trunc(magnitude.value)) digits_ = std::max(digits_, digits_written(token_.spelling));
   Value result = value_at(first);
   result.data = sign == Sign::minus ? -magnitude.value : magnitude.value;
   step();

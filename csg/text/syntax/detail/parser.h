@@ -54,6 +54,7 @@ class Parser {
 
   Lexer lexer_;
   Token token_;
+  int digits_ = 0;  ///< Node::digits of the statement that is being read
 };
 
 }  // namespace csgcast::text

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "csg/base/whole_file.h"
+#include "csg/file/whole_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,8 +14,8 @@
 #include <system_error>
 
 #include "csg/base/error.h"
-#include "csg/base/link_target.h"
 #include "csg/base/precondition.h"
+#include "csg/file/link_target.h"
 
 namespace csgcast {
 

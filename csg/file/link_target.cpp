@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "csg/base/link_target.h"
+#include "csg/file/link_target.h"
 
 #include <filesystem>
 #include <system_error>
