@@ -102,7 +102,8 @@ void append_measures(std::string& out, const Scene& scene, const Measures& m) {
                                 : fmt::format("{}  to  {}  ± {:.2g}", coordinates(m.bounds.lower, m.bounds_error),
                                               coordinates(m.bounds.upper, m.bounds_error), m.bounds_error));
   append_row(out, "cells", fmt::format("{}", m.pieces));
-  if (!m.is_as_asked) append_row(out, "errors", "greater than asked for: more cells would not have brought them down");
+  if (!m.is_as_asked)
+    append_row(out, "errors", "greater than asked for: more cells would not help, or would be too many");
 }
 
 std::string as_text(const Scene& scene, const SceneMeasures& measures) {

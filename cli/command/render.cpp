@@ -353,7 +353,7 @@ Command render_command() {
                .value = "ex,ey,ez,ax,ay,az",
                .help =
                    "The eye and the point looked at; or seven numbers: OpenSCAD's translation, rotation and distance. "
-                   "Replaces the scene's camera; the field of view is 22.5 degrees",
+                   "Replaces the scene's camera; the vertical field of view is 22.5 degrees",
                .take = into(options->camera)});
   command.add({.names = "--tiles",
                .value = "i/n",

@@ -80,7 +80,7 @@ void add_scene_options(Command& command, SceneOptions& options) {
   command.add({.names = "--weld",
                .value = "RELATIVE",
                .help = "Join faces that are at most this share of the scene's size apart; 0 joins none (default: those "
-                       "that only rounding keeps apart)",
+                       "that only the rounding of numbers keeps apart, and that their few digits do)",
                .take = [&options](const std::string& text) { options.welding = parse_welding(text); }});
   command.add({.names = "--skip-unsupported",
                .value = {},

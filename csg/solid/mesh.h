@@ -40,4 +40,7 @@ std::optional<MeshEdge> open_edge(const Mesh& welded);
 /// is_approximately_convex.
 bool is_convex(const Mesh& welded);
 
+/// How far a corner lies from the plane of its face, at most. Computed in doubles.
+double greatest_bend(const Mesh& welded);
+
 }  // namespace csgcast

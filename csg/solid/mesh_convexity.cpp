@@ -187,4 +187,14 @@ bool is_convex(const Mesh& unscaled) {
   return std::fabs(missing) <= (bend + rounding) * area * extent(mesh.points);
 }
 
+double greatest_bend(const Mesh& welded) {
+  double most = 0;
+  for (const Mesh::Face& face : welded.faces) {
+    const FacePlane plane = plane_of(welded, face);
+    for (const std::uint32_t corner : face)
+      most = std::fmax(most, std::fabs(dot(plane.normal, welded.points[corner] - plane.center)));
+  }
+  return most;
+}
+
 }  // namespace csgcast

@@ -119,16 +119,21 @@ Welder::Surface Welder::described(std::uint32_t number) const {
   return surface;
 }
 
-std::vector<RegionForm> Welder::region_forms() const {
-  std::vector<RegionForm> forms;
-  forms.reserve(candidates_.size());
-  for (const Candidate& candidate : candidates_) forms.emplace_back(candidate.form->unpacked(), region_);
-  return forms;
+RegionForm Welder::region_form(std::uint32_t candidate) const {
+  return forms_.empty() ? RegionForm(candidates_[candidate].form->unpacked(), region_) : forms_[candidate];
+}
+
+const std::vector<RegionForm>& Welder::region_forms() {
+  if (!forms_.empty()) return forms_;
+  forms_.reserve(candidates_.size());
+  for (const Candidate& candidate : candidates_) forms_.emplace_back(candidate.form->unpacked(), region_);
+  return forms_;
 }
 
 Grouping::Groups Welder::groups_by_rounding() {
+  if (welding_.lists_near_misses) region_forms();  // they are needed again
   for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
-    const RegionForm form(candidates_[i].form->unpacked(), region_);
+    const RegionForm form = region_form(i);
     near_.add(i, form, worst_known(candidates_[i], form));
   }
   return near_.groups();
@@ -162,10 +167,10 @@ std::vector<LeafFaces> Welder::faces(std::span<const Replacement> replacements,
 // near each other in space are compared.
 Grouping::Groups Welder::groups_by_digits(std::span<const Replacement> replacements, WeldReport& report) {
   double most = 0;
-  for (const Candidate& candidate : candidates_) {
-    const RegionForm form(candidate.form->unpacked(), region_);
-    for (const Provenance::Source source : candidate.sources) {
-      const double displacement = provenance_.displacement(source, form, region_);
+  region_forms();
+  for (std::uint32_t i = 0; i < candidates_.size(); ++i) {
+    for (const Provenance::Source source : candidates_[i].sources) {
+      const double displacement = provenance_.displacement(source, forms_[i], region_);
       if (std::isfinite(displacement)) most = std::fmax(most, displacement);
     }
   }
@@ -181,7 +186,7 @@ Grouping::Groups Welder::groups_by_hand(std::span<const Replacement> replacement
 
 Grouping::Groups Welder::groups_that_touch(double most_gap, std::span<const Replacement> replacements,
                                            WeldReport& report) {
-  const std::vector<RegionForm> forms = region_forms();
+  const std::vector<RegionForm>& forms = region_forms();
   Grouping grouping(candidates_.size());
   std::vector<Provenance::Source> one_source;
   const std::vector<LeafFaces> leaves = faces(replacements, one_source);
@@ -292,7 +297,7 @@ void Welder::gather(const Member& leader, const Region& region, std::vector<Memb
 }
 
 void Welder::list_near_misses(std::span<const Replacement> replacements, WeldReport& report) {
-  const std::vector<RegionForm> forms = region_forms();
+  const std::vector<RegionForm>& forms = region_forms();
   std::vector<Provenance::Source> one_source;
   const std::vector<LeafFaces> leaves = faces(replacements, one_source);
   // Two faces of one leaf are not a near miss, because the leaf was made like that.

@@ -57,7 +57,8 @@ class Welder {
   FormError worst_known(const Candidate& candidate, const RegionForm& form) const;
   std::vector<Provenance::Source> best_known(const Candidate& candidate, const RegionForm& form) const;
   Surface described(std::uint32_t number) const;
-  std::vector<RegionForm> region_forms() const;
+  RegionForm region_form(std::uint32_t candidate) const;
+  const std::vector<RegionForm>& region_forms();
   Grouping::Groups groups_by_rounding();
   Grouping::Groups groups_by_digits(std::span<const Replacement> replacements, WeldReport& report);
   Grouping::Groups groups_by_hand(std::span<const Replacement> replacements, WeldReport& report);
@@ -82,6 +83,7 @@ class Welder {
   double most_error_ = 0;  // an error above this share of the largest coefficient tells nothing
   double tolerance_ = 0;   // the tolerance of welding by hand, in the scene's unit of length
   std::span<const Candidate> candidates_;
+  std::vector<RegionForm> forms_;  // of all candidates, in region_; made when they are first all needed at once
   NearPairs near_;
   std::uint64_t work_ = 0;
   std::uint64_t most_work_ = 0;

@@ -29,7 +29,7 @@ FOOTNOTES = {
     "engines": "For engines and functions of other modules; other languages ask the model itself.",
     "kept": "A model keeps them for its pictures.",
     "packages": "The package tells it: CMake's `csgcast_VERSION`, or `pkg-config --modversion csgcast-model`.",
-    "sums": "The sum of exit - entry over the intervals; for CSV see [cli.md](cli.md#intervals).",
+    "sums": "The sum of exit - entry over a ray's intervals; awk does it for CSV: [cli.md](cli.md#intervals).",
     "arcs": "The command writes exact arcs; the libraries cut them into chords.",
     "file": "The command writes a file; with `-o -` to standard output.",
     "languages": "A command line has its exit code and its messages.",
@@ -124,6 +124,7 @@ HEAD = """# Every call, in C++, Python, C and on the command line
 What csgcast can be asked, and what that is called. C++ names are in namespace `csgcast`; `Model` is
 in `model/model.h`, and links everything. Python names are in the module `csgcast`. C names are in
 `csgcast.h`. A number refers to the reasons below the tables.
+[building.md](building.md#progress-and-cancelling) shows how C++ and C cancel a call.
 """
 
 

@@ -288,6 +288,21 @@ TEST_CASE("a polyhedron bent inward by less than a tenth of a degree is its hull
   CHECK(bounds_of(dented("2.5")) == Box{{-1, -1, 0}, {1, 1, 2.5}});
 }
 
+TEST_CASE("a polyhedron with a bent face is its hull, and a warning says so unless few digits explain it") {
+  const auto warnings = [](const std::string& height) {
+    return build_text(
+               "polyhedron(points = [[-10, 0, -10], [10, 0, -10], [10, " + height +
+               ", 10], [-10, 0, 10], [-10, -20, -10], [10, -20, -10], [10, -20, 10], [-10, -20, 10]], faces = [[0, 1, "
+               "2, 3], [7, 6, 5, 4], [0, 4, 5, 1], [1, 5, 6, 2], [2, 6, 7, 3], [3, 7, 4, 0]]);")
+        .warnings;
+  };
+  REQUIRE(warnings("0.01").size() == 1);
+  CHECK(warnings("0.01").front().text.find("bent by 0.0025: the hull of its points is taken") != std::string::npos);
+  CHECK(warnings("0").empty());
+  CHECK(warnings("1.23457e-5").empty());
+  CHECK(warnings("1e-17").empty());
+}
+
 TEST_CASE("a star-shaped pyramid, whose edges all bend outward, is not convex") {
   const std::string points =
       "points = [[1,0,0],[.309,.951,0],[-.809,.588,0],[-.809,-.588,0],[.309,-.951,0],[0,0,.01]], ";

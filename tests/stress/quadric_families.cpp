@@ -67,6 +67,40 @@ Trial quadrics(RandomSolids& random, int rays, Make make) {
   return trial;
 }
 
+// Bounded, though none of its leaves is.
+Solid between_unbounded_leaves(RandomSolids& random) {
+  const auto side = [&](Vector n) {
+    const Vector tilt = random.index(2) == 0 ? Vector{} : 0.2 * coefficients(random);
+    return halfspace(n + tilt, random.quarter(1, 2));
+  };
+  const Solid low = side({0, 0, -1}), high = side({0, 0, 1});
+  const Solid tube = quadric({1, random.quarter(0.5, 1), 0, 0, 0, 0}, {}, -random.quarter(1, 3));
+  switch (random.index(5)) {
+    case 0:
+      return side({1, 0, 0}) & side({-1, 0, 0}) & side({0, 1, 0}) & side({0, -1, 0}) & low & high;
+    case 1:
+      return tube & low & high;
+    case 2:  // paraboloids that face each other
+      return quadric({1, 1, 0, 0, 0, 0}, {0, 0, -1}, -1) & quadric({1, 1, 0, 0, 0, 0}, {0, 0, 1}, -1);
+    case 3:
+      return complement(complement(tube) + complement(low) + complement(high));
+    default:  // a double cone
+      return quadric({1, 1, -1, 0, 0, 0}, {}, 0) & low & high;
+  }
+}
+
+Trial unbounded_leaves(RandomSolids& random, int rays) {
+  const Solid frame = between_unbounded_leaves(random);
+  Solid solid = random.index(2) == 0 ? frame : frame - general_quadric(random);
+  if (random.index(3) == 0) solid = solid + at(between_unbounded_leaves(random), {random.quarter(-3, 3), 0, 0});
+  if (random.index(3) == 0) solid = solid + at(box({1, 1, 1}), {0, 0, random.quarter(-2, 2)});
+  Trial trial{solid, {}};
+  aim_at_middle(random, trial, rays / 3);
+  aim_at_grid(random, trial, rays / 3);
+  aim_at_tangents(random, trial, rays / 3, power_of_tenth(random, 4, 16));
+  return random.index(2) == 0 ? trial : turned(random, std::move(trial));
+}
+
 Trial general(RandomSolids& random, int rays) { return quadrics(random, rays, general_quadric); }
 
 Trial degenerate(RandomSolids& random, int rays) {
@@ -122,11 +156,9 @@ Trial along_asymptotes(RandomSolids& random, int rays) {
 }  // namespace
 
 std::vector<Family> quadric_families() {
-  return {{"general quadrics", general},
-          {"degenerate quadrics", degenerate},
-          {"unbounded quadrics", unbounded},
-          {"nearly parabolic", nearly_parabolic},
-          {"along asymptotes", along_asymptotes}};
+  return {{"general quadrics", general},          {"degenerate quadrics", degenerate},
+          {"unbounded quadrics", unbounded},      {"between unbounded leaves", unbounded_leaves},
+          {"nearly parabolic", nearly_parabolic}, {"along asymptotes", along_asymptotes}};
 }
 
 }  // namespace csgcast::stress

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -64,6 +65,16 @@ void require_closed(const Call& call, const Mesh& mesh) {
               "add the missing face, or turn the one that is the wrong way round");
 }
 
+/// Of faces that are bent by more than the rounding of their corners, the hull adds or takes what OpenSCAD does not.
+void warn_if_bent(const Call& call, const Mesh& mesh) {
+  double farthest = 0;
+  for (const Point& p : mesh.points) farthest = std::max({farthest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  const double known = std::max(8 * call.digits().error_beside_longer(farthest), 0x1p-40 * farthest);
+  const double bend = greatest_bend(mesh);
+  if (bend > known)
+    call.warn(fmt::format("a face of this 'polyhedron' is bent by {:.2g}: the hull of its points is taken", bend));
+}
+
 }  // namespace
 
 Solid make_convex(const Call& call) {
@@ -110,6 +121,7 @@ Solid make_polyhedron(const Call& call) {
     call.reject(ErrorCode::unsupported, call.place(), "this polyhedron is not convex",
                 "only convex ones are supported yet", "compose it of convex ones by union and difference");
   }
+  warn_if_bent(call, mesh);
   return warn_if_empty(call, convex_from_points(mesh.points, call.digits()), no_volume);
 }
 
