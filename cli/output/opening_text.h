@@ -14,7 +14,7 @@ namespace csgcast::cli {
 /// `may be unbounded`, as a part of it may be.
 inline std::string opening_text(const Scene& scene) {
   const std::optional<Opening>& opening = scene.opening();
-  if (!opening) return "may be unbounded";
+  if (!opening || opening->direction == Vector{}) return "may be unbounded";
   const std::string place =
       opening->place.line > 0 ? fmt::format(" ({}:{})", opening->place.line, opening->place.column) : std::string();
   return fmt::format("{} open towards {}{}", opening->is_certain ? "is" : "may be", coordinates(opening->direction),

@@ -90,7 +90,7 @@ struct Layer {
 
 /// Where a solid reaches to infinity, or may.
 struct Opening {
-  Vector direction{};       ///< the longest coordinate is 1 or -1
+  Vector direction{};       ///< the longest coordinate is 1 or -1; 0 if nothing is known
   bool is_certain = false;  ///< false: it is not known that the solid is bounded there
   Place place;              ///< of the first leaf of the part of the solid that does
 };

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <queue>
 #include <span>
@@ -206,11 +205,12 @@ class LocalFormula {
   bool holds_never(std::uint64_t& work) {
     constexpr std::size_t most_open = 10;
     find_relations();
+    if (relations_.empty()) return false;
     std::vector<std::uint32_t> open;
     for (std::uint32_t i = 0; i < forms_.size(); ++i) {
       if (conditions_[i] == Truth::unknown && forms_[i]) open.push_back(i);
     }
-    if (relations_.empty() || open.size() > most_open) return false;
+    if (open.size() > most_open) return false;
     for (std::uint32_t signs = 0; signs < std::uint32_t{1} << open.size(); ++signs) {
       for (std::size_t k = 0; k < open.size(); ++k) conditions_[open[k]] = truth(((signs >> k) & 1) != 0);
       work += formula_.terms.size() / 4 + relations_.size() + 1;
@@ -253,8 +253,8 @@ class LocalFormula {
 
   void find_relations() {
     constexpr std::size_t most_forms = 64;
-    if (has_relations_ || forms_.size() > most_forms) return;
-    has_relations_ = true;
+    if (has_asked_ || forms_.size() > most_forms) return;
+    has_asked_ = true;
     std::vector<QuadricForm> exact(forms_.size());
     for (std::size_t i = 0; i < forms_.size(); ++i) {
       if (forms_[i]) exact[i] = surfaces_.form(formula_.surfaces[i])->unpacked();
@@ -284,7 +284,7 @@ class LocalFormula {
 
   const NodeFormula& formula_;
   const SurfaceTable& surfaces_;
-  bool has_relations_ = false;
+  bool has_asked_ = false;  // for the relations
   std::vector<Relation> relations_;
   std::vector<std::optional<FarForm>> forms_;
   std::vector<Box> boxes_;
@@ -299,10 +299,17 @@ class BoundsSearch {
       : formula_(formula), surfaces_(surfaces), known_(known) {}
 
   Extent run() {
-    if (known_.is_finite()) return {Extent::Kind::bounded, tightened(known_), {}};
-    const Extent far = outermost(first_region());
-    if (far.kind != Extent::Kind::bounded) return far;
-    return {Extent::Kind::bounded, tightened(intersection(far.box, known_)), {}};
+    // Forms are made anew for each place, so thousands of them take too long.
+    constexpr std::size_t most_tightened = 4096, most_bounded = 65536;
+    const std::size_t size = formula_.surfaces.size() + formula_.boxes.size();
+    Box box = known_;
+    if (!box.is_finite()) {
+      if (size > most_bounded) return {};
+      const Extent far = outermost(first_region());
+      if (far.kind != Extent::Kind::bounded) return far;
+      box = intersection(far.box, known_);
+    }
+    return {Extent::Kind::bounded, size > most_tightened ? box : tightened(box), {}};
   }
 
   std::uint64_t work() const { return work_; }
@@ -348,11 +355,11 @@ class BoundsSearch {
       work_ += formula.work();
       const Truth at_infinity = formula.holds(part);
       if (at_infinity == Truth::yes) return {Extent::Kind::unbounded, {}, part.middle};
-      if (at_infinity == Truth::no) {
+      const bool asks_relations = longest(part.half) == part_for_relations;
+      if (at_infinity == Truth::no || (asks_relations && formula.holds_never(work_))) {
         least = std::fmin(least, greatest_share(formula, part));
         continue;
       }
-      if (longest(part.half) == part_for_relations && formula.holds_never(work_)) continue;
       if (longest(part.half) < smallest_part || work_ > most_work_of_node)
         return {Extent::Kind::undecided, {}, part.middle};
       split(part, open);
@@ -362,11 +369,12 @@ class BoundsSearch {
     return {Extent::Kind::bounded, Box{region.center - diagonal, region.center + diagonal}, {}};
   }
 
+  // Precondition: the formula holds nowhere in the part with the least share.
   double greatest_share(LocalFormula& formula, FarPart part) {
     for (const double share : shares) {
       part.w = share;
       work_ += formula.work();
-      if (formula.holds(part) == Truth::no) return share;
+      if (formula.holds(part) == Truth::no || formula.holds_never(work_)) return share;
     }
     return shares.back();
   }

@@ -14,7 +14,7 @@ struct Extent {
 
   Kind kind = Kind::undecided;
   Box box;             ///< of a bounded node: holds the closed set. Null if the node is empty
-  Vector direction{};  ///< else: where the node reaches to infinity, or may
+  Vector direction{};  ///< else: where the node reaches to infinity, or may; 0 if it was not asked
 };
 
 /// Finds out if nodes whose leaves are unbounded are bounded themselves, as a cone between two half-spaces is. A place
