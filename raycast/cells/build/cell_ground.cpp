@@ -106,6 +106,29 @@ void CellGround::place_leaves(NodeId node) {
   for (CellBox& leaf : leaf_boxes) {
     if (!is_finite(leaf.upper - leaf.lower)) leaf = intersection(leaf, box);
   }
+  for (const Node& cut : scene.nodes()) {
+    if (cut.is_cut) end_leaves(cut);
+  }
+}
+
+// A node that is cut has nothing outside its box. What is not taken away in it may end there, too: the node then has
+// still nothing outside, and what it has inside.
+void CellGround::end_leaves(const Node& cut) {
+  const CellBox around = box_of(cut.box);
+  std::vector<const Node*> open{&cut};
+  while (!open.empty()) {
+    const Node& node = *open.back();
+    open.pop_back();
+    if (node.op == Node::Op::leaf) {
+      CellBox& leaf = leaf_boxes[node.first];
+      leaf = intersection(leaf, around);
+      continue;
+    }
+    if (node.op == Node::Op::complement || node.op == Node::Op::empty || node.op == Node::Op::everything) continue;
+    const auto children = scene.children(node);
+    for (const NodeId child : node.op == Node::Op::subtract ? children.first(1) : children)
+      open.push_back(&scene.node(child));
+  }
 }
 
 CellBox CellGround::box_of(const Box& world) const { return grown(tight_box_of(world), face_clearance); }

@@ -79,6 +79,7 @@ struct CellGround {
   static bool is_near(const CellBox& b) { return longest(b.lower) <= near_side && longest(b.upper) <= near_side; }
   Sides sides_by_kind(SurfaceId id, const CellBox& b) const;
   void place_leaves(NodeId node);
+  void end_leaves(const Node& cut);
   CellBox box_of_leaf(const Leaf& leaf, const Box& world) const;
   CellBox turned_box_of(NodeId node) const;
 };

@@ -17,16 +17,16 @@
 namespace csgcast::detail {
 namespace {
 
-// How many values of forms a node, and a scene, may take.
+// How many values of forms a node may take. After so many for all nodes, boxes are no longer drawn in.
 constexpr std::uint64_t most_work_of_node = 1'000'000;
-constexpr std::uint64_t most_work = 20'000'000;
+constexpr std::uint64_t most_work = 50'000'000;
 constexpr double smallest_part = 0x1p-24;
 constexpr double part_for_relations = 0x1p-6;  // half of a side: parts of this size ask what signs tell of each other
 // The shares of w that are tried: the greatest serve most solids, the least is as good as infinity.
 constexpr std::array<double, 6> shares{0x1p-3, 0x1p-6, 0x1p-12, 0x1p-24, 0x1p-48, 0x1p-100};
 // The box is found to this share of its sides: first coarsely, again and again, and at last finely.
 constexpr double coarse = 0x1p-3;
-constexpr double fine = 0x1p-7;
+constexpr double fine = 0x1p-5;
 constexpr int most_passes = 64;
 
 /// The truth formula of a node. Its conditions are that a surface's form is at most 0, or that a place is in the box of
@@ -298,7 +298,7 @@ class BoundsSearch {
   BoundsSearch(const NodeFormula& formula, const SurfaceTable& surfaces, const Box& known)
       : formula_(formula), surfaces_(surfaces), known_(known) {}
 
-  Extent run() {
+  Extent run(bool draws_in) {
     // Forms are made anew for each place, so thousands of them take too long.
     constexpr std::size_t most_tightened = 4096, most_bounded = 65536;
     const std::size_t size = formula_.surfaces.size() + formula_.boxes.size();
@@ -309,7 +309,7 @@ class BoundsSearch {
       if (far.kind != Extent::Kind::bounded) return far;
       box = intersection(far.box, known_);
     }
-    return {Extent::Kind::bounded, size > most_tightened ? box : tightened(box), {}};
+    return {Extent::Kind::bounded, draws_in && size <= most_tightened ? tightened(box) : box, {}};
   }
 
   std::uint64_t work() const { return work_; }
@@ -496,10 +496,9 @@ Extent Boundedness::of(NodeId node) {
   Extent extent;
   // What is taken away seldom bounds a solid, and without it there is less to compute.
   for (const bool positive_only : {true, false}) {
-    if (work_ > most_work) return extent;
     const NodeFormula formula = FormulaWriter(tables_, positive_only).write(node);
     BoundsSearch search(formula, surfaces_, tables_.nodes[node.index()].box);
-    extent = search.run();
+    extent = search.run(work_ <= most_work);
     work_ += search.work();
     if (extent.kind == Extent::Kind::bounded) return extent;
   }
