@@ -77,6 +77,7 @@ std::string as_text(const Info& info) {
                fmt::format("{} {}, not supported yet: line{} {}{}", name, count, count == 1 ? "" : "s",
                            fmt::join(lines, ", "), lines.size() < count ? ", .." : ""));
   }
+  if (info.input.description.faceted > 0) append_row(out, "facets", faceted_line(info.input.description.faceted));
   append_row(out, "depth", fmt::format("{}", info.statements.depth));
   append_row(out, "leaves", fmt::format("{}: {}", scene.leaves().size(), list(info.leaves.by_kind)));
   append_row(out, "surfaces",
@@ -190,7 +191,7 @@ std::string as_json(const Info& info) {
     for (const int line : lines) json.value(std::uint64_t(line));
     json.end_array().end_object();
   }
-  json.end_array();
+  json.end_array().member("faceted", info.input.description.faceted);
   json.member("leaves", std::uint64_t(scene.leaves().size()));
   json_tally(json, "leaves_by_kind", info.leaves.by_kind);
   json.key("surfaces").begin_object(Json::Layout::compact).member("planes", info.surfaces.planes);

@@ -170,8 +170,13 @@ void run(const MeasureCommand& command) {
     job.progress = bar.callback();
     measures = measure(input.scene, job);
   }
-  output.write(command.format == Format::json ? as_json(input.scene, measures, watch.seconds())
-                                              : as_text(input.scene, measures));
+  if (command.format == Format::json) {
+    output.write(as_json(input.scene, measures, watch.seconds()));
+  } else {
+    std::string text = as_text(input.scene, measures);
+    if (input.description.faceted > 0) append_row(text, "facets", faceted_line(input.description.faceted));
+    output.write(text);
+  }
   output.commit();
 }
 

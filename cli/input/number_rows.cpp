@@ -29,19 +29,30 @@ bool same_word(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-/// Calls use(field, column) for each field of a line: its text without blanks around it, and where that starts, from 1.
+/// Calls use(field, column) for each field of a line: its text without quotes and blanks around it, and where that
+/// starts, from 1.
 template <class Use>
-void for_each_field(std::string_view line, Use&& use) {
+void for_each_field(std::string_view line, char separator, Use&& use) {
   std::size_t start = 0;
   while (true) {
-    const std::size_t comma = std::min(line.find(',', start), line.size());
-    const std::string_view raw = line.substr(start, comma - start);
-    const std::string_view field = trimmed(raw);
-    const std::size_t lead = field.empty() ? 0 : static_cast<std::size_t>(field.data() - raw.data());
-    use(field, static_cast<int>(start + lead + 1));
-    if (comma == line.size()) return;
-    start = comma + 1;
+    const std::size_t text = std::min(line.find_first_not_of(" \t", start), line.size());
+    const bool is_quoted =
+        text < line.size() && line[text] == '"' && line.find('"', text + 1) != std::string_view::npos;
+    const std::size_t closed = is_quoted ? line.find('"', text + 1) : start;
+    const std::size_t end = std::min(line.find(separator, closed), line.size());
+    std::string_view field = trimmed(line.substr(start, end - start));
+    if (is_quoted && field.size() >= 2 && field.back() == '"') field = trimmed(field.substr(1, field.size() - 2));
+    const std::size_t place = field.empty() ? start : static_cast<std::size_t>(field.data() - line.data());
+    use(field, static_cast<int>(place + 1));
+    if (end == line.size()) return;
+    start = end + 1;
   }
+}
+
+/// The separator of a file with this first line.
+char separator_of(std::string_view line) {
+  if (line.find(';') != std::string_view::npos) return ';';
+  return line.find(',') == std::string_view::npos && line.find('\t') != std::string_view::npos ? '\t' : ',';
 }
 
 }  // namespace
@@ -50,8 +61,8 @@ void NumberRows::Close::operator()(std::FILE* file) const {
   if (file != stdin) static_cast<void>(std::fclose(file));
 }
 
-NumberRows::NumberRows(const std::string& path, std::vector<std::string> names)
-    : file_(path == "-" ? "<standard input>" : path), names_(std::move(names)) {
+NumberRows::NumberRows(const std::string& path, std::vector<std::string> names, std::vector<std::string> header_names)
+    : file_(path == "-" ? "<standard input>" : path), names_(std::move(names)), header_names_(std::move(header_names)) {
   std::error_code error;
   if (path == "-") {
     stream_.reset(stdin);
@@ -85,12 +96,11 @@ bool NumberRows::skip() {
 /// The next line that holds a row, as next_line().
 bool NumberRows::next_row(std::string_view& line) {
   while (next_line(line)) {
-    if (trimmed(line).empty()) continue;
-    if (line_ == 1 && is_header(line)) {
-      check_header(line);
-      continue;
-    }
-    return true;
+    const std::string_view text = trimmed(line);
+    if (text.empty() || text.front() == '#') continue;
+    if (has_begun_) return true;
+    begin(line);
+    if (!is_header(line)) return true;
   }
   return false;
 }
@@ -129,49 +139,79 @@ bool NumberRows::fill() {
   return got > 0;
 }
 
-/// A first line is a header if its first field starts like a word; a number that is not finite is no word.
-bool NumberRows::is_header(std::string_view line) const {
-  const std::string_view field = trimmed(line.substr(0, line.find(',')));
-  return !field.empty() && std::isalpha(static_cast<unsigned char>(field[0])) &&
-         parse_number(field).fault == NumberFault::no_number;
+/// Takes the separator and the columns from the first line.
+void NumberRows::begin(std::string_view line) {
+  has_begun_ = true;
+  separator_ = separator_of(line);
+  if (is_header(line)) return read_header(line);
+  if (!header_names_.empty())
+    fail(ErrorCode::bad_value, 1, "there is no header", "--columns says what its columns are called");
+  for (std::size_t i = 0; i < names_.size(); ++i) column_of_.push_back(i);
 }
 
-void NumberRows::check_header(std::string_view line) const {
-  std::size_t count = 0;
-  for_each_field(line, [&](std::string_view field, int column) {
-    if (count >= names_.size() || !same_word(field, names_[count])) {
-      fail(ErrorCode::bad_value, column, fmt::format("the header names a column {}", in_quotes(field)),
-           count < names_.size() ? fmt::format("'{}' stands here", names_[count])
-                                 : fmt::format("there are {} columns", names_.size()));
-    }
-    ++count;
+/// A first line is a header if its first field starts like a word; a number that is not finite is no word.
+bool NumberRows::is_header(std::string_view line) const {
+  bool result = false, is_first = true;
+  for_each_field(line, separator_, [&](std::string_view field, int) {
+    if (is_first)
+      result = !field.empty() && std::isalpha(static_cast<unsigned char>(field[0])) &&
+               parse_number(field).fault == NumberFault::no_number;
+    is_first = false;
   });
-  if (count < names_.size()) {
-    fail(ErrorCode::bad_value, static_cast<int>(line.size() + 1), "the header ends too early",
-         fmt::format("the column '{}' is missing", names_[count]));
-  }
+  return result;
+}
+
+void NumberRows::read_header(std::string_view line) {
+  const std::vector<std::string>& wanted = header_names_.empty() ? names_ : header_names_;
+  std::vector<bool> is_found(wanted.size());
+  for_each_field(line, separator_, [&](std::string_view field, int column) {
+    const auto found =
+        std::find_if(wanted.begin(), wanted.end(), [&](const std::string& name) { return same_word(field, name); });
+    if (found == wanted.end()) return column_of_.push_back(NumberRow::max_columns);
+    const auto index = static_cast<std::size_t>(found - wanted.begin());
+    if (is_found[index])
+      fail(ErrorCode::bad_value, column, fmt::format("the header names a column {} twice", in_quotes(field)),
+           "only one can be meant");
+    is_found[index] = true;
+    column_of_.push_back(index);
+  });
+  const auto missing = std::find(is_found.begin(), is_found.end(), false);
+  if (missing == is_found.end()) return;
+  const std::string& name = wanted[static_cast<std::size_t>(missing - is_found.begin())];
+  throw Error(ErrorCode::bad_value, {file_, line_, 1}, fmt::format("the header names no column {}", in_quotes(name)),
+              fmt::format("wanted are {}", fmt::join(wanted, ",")),
+              "name them so, say with --columns what they are called, or leave the header out");
 }
 
 void NumberRows::parse(std::string_view line, NumberRow& row) const {
   std::size_t count = 0;
-  for_each_field(line, [&](std::string_view field, int column) {
-    if (count == names_.size()) {
+  for_each_field(line, separator_, [&](std::string_view field, int column) {
+    if (count == column_of_.size()) {
       fail(ErrorCode::bad_value, column, "this line has too many numbers",
-           fmt::format("there are {} columns", names_.size()));
+           fmt::format("there are {} columns", column_of_.size()));
     }
-    row.values[count] = parse_field(field, column);
-    row.columns[count++] = column;
+    const std::size_t index = column_of_[count++];
+    if (index == NumberRow::max_columns) return;
+    row.values[index] = parse_field(field, column);
+    row.columns[index] = column;
   });
-  if (count < names_.size()) {
+  if (count < column_of_.size()) {
+    const std::size_t index = column_of_[count];
     fail(ErrorCode::bad_value, static_cast<int>(line.size() + 1), "this line has too few numbers",
-         fmt::format("'{}' is missing", names_[count]));
+         index == NumberRow::max_columns ? fmt::format("there are {} columns", column_of_.size())
+                                         : fmt::format("'{}' is missing", names_[index]));
   }
   row.line = line_;
 }
 
 double NumberRows::parse_field(std::string_view field, int column) const {
   if (field.empty()) fail(ErrorCode::syntax, column, "a number is missing", "this field is empty");
-  const ParsedNumber parsed = parse_number(field);
+  std::string with_point;
+  if (separator_ == ';' && field.find('.') == std::string_view::npos && field.find(',') != std::string_view::npos) {
+    with_point = field;
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+  }
+  const ParsedNumber parsed = parse_number(with_point.empty() ? field : with_point);
   switch (parsed.fault) {
     case NumberFault::no_number:
       fail(ErrorCode::syntax, column, fmt::format("{} is no number", in_quotes(field)), "only numbers stand here");

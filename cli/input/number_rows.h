@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -25,18 +26,19 @@ struct NumberRow {
 
 /// A CSV file of numbers, read a row at a time in bounded memory.
 ///
-/// Fields are separated by commas, with blanks around them as one likes; lines end in LF or CR LF; blank lines are
-/// skipped; a UTF-8 byte order mark may head the file. The first line may be a header: then it names the columns, all
-/// and in this order, in either case.
+/// Fields are separated by commas, by semicolons or by tabs, whichever the first line has, with blanks around them as
+/// one likes, and in double quotes or not. Between semicolons a decimal comma is a point. Lines end in LF or CR LF;
+/// blank lines and those that begin with # are skipped; a UTF-8 byte order mark may head the file. The first line may
+/// be a header: then it names the columns, in any order, in either case, and others, which are passed over.
 class NumberRows {
  public:
-  /// "-" reads standard input. Throws Error(input_output) if the file cannot be read. At most NumberRow::max_columns
-  /// names.
-  NumberRows(const std::string& path, std::vector<std::string> names);
+  /// "-" reads standard input. `header_names` says what the header calls the columns; if there are any, there must be a
+  /// header. Throws Error(input_output) if the file cannot be read. At most NumberRow::max_columns names.
+  NumberRows(const std::string& path, std::vector<std::string> names, std::vector<std::string> header_names = {});
 
   /// The next row; false at the end. Throws Error with the place of the first thing wrong: a word for a number, a
   /// number that is not finite or beyond the range of double, too few or too many of them, a line of more than 4096
-  /// bytes.
+  /// bytes, a header without one of the columns or with one twice.
   bool next(NumberRow& row);
   /// Passes over the next row without looking at its numbers; false at the end.
   bool skip();
@@ -56,8 +58,9 @@ class NumberRows {
   bool next_line(std::string_view& line);
   bool next_row(std::string_view& line);
   bool fill();
+  void begin(std::string_view line);
   bool is_header(std::string_view line) const;
-  void check_header(std::string_view line) const;
+  void read_header(std::string_view line);
   void parse(std::string_view line, NumberRow& row) const;
   double parse_field(std::string_view field, int column) const;
   [[noreturn]] void fail(ErrorCode code, int column, const std::string& problem, const std::string& why) const;
@@ -65,6 +68,10 @@ class NumberRows {
 
   std::string file_;
   std::vector<std::string> names_;
+  std::vector<std::string> header_names_;
+  bool has_begun_ = false;
+  char separator_ = ',';
+  std::vector<std::size_t> column_of_;  // of each field of a line; NumberRow::max_columns: passed over
   std::unique_ptr<std::FILE, Close> stream_;
   std::uint64_t size_ = 0;
   std::uint64_t read_ = 0;

@@ -10,6 +10,23 @@
 #include "cli/output/usage.h"
 
 namespace csgcast::cli {
+namespace {
+
+std::vector<std::string> parse_names(const std::string& option, std::string_view text, std::size_t count) {
+  std::vector<std::string> names;
+  while (true) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    names.emplace_back(text.substr(0, comma));
+    if (comma == text.size()) break;
+    text.remove_prefix(comma + 1);
+  }
+  const bool has_empty = std::any_of(names.begin(), names.end(), [](const std::string& name) { return name.empty(); });
+  if (names.size() != count || has_empty)
+    throw UsageError(fmt::format("{} takes {} names, separated by commas", option, count));
+  return names;
+}
+
+}  // namespace
 
 void add_rows_option(Command& command, RowsOption& option, const std::string& help) {
   const std::string columns = fmt::format("{}", fmt::join(option.columns, ","));
@@ -19,6 +36,12 @@ void add_rows_option(Command& command, RowsOption& option, const std::string& he
                .help = fmt::format("A CSV file with the columns {}; - is standard input", columns),
                .take = into(option.file),
                .completes = Completes::files});
+  command.add({.names = "--columns",
+               .value = "NAMES",
+               .help = fmt::format("What the header of {} calls these columns, separated by commas; others are passed "
+                                   "over (default: {})",
+                                   option.file_name, columns),
+               .take = into(option.header_names)});
 }
 
 void add_range_option(Command& command, RowsOption& option) {
@@ -39,6 +62,12 @@ Rows::Rows(const RowsOption& option, const SceneOptions& scene)
     if (option.file.empty())
       throw UsageError(fmt::format("--rows needs {} (it takes rows of a file)", option.file_name));
   }
+  std::vector<std::string> header_names;
+  if (!option.header_names.empty()) {
+    if (option.file.empty())
+      throw UsageError(fmt::format("--columns needs {} (it names columns of a file)", option.file_name));
+    header_names = parse_names("--columns", option.header_names, option.columns.size());
+  }
   if (option.file.empty()) {
     single_ = parse_numbers(option.single_name, option.single, option.columns.size());
     return;
@@ -46,7 +75,7 @@ Rows::Rows(const RowsOption& option, const SceneOptions& scene)
   if (option.file == "-" && scene.path == "-") {
     throw UsageError(fmt::format("the scene and {} cannot both come from standard input", option.file_name));
   }
-  file_ = std::make_unique<NumberRows>(option.file, option.columns);
+  file_ = std::make_unique<NumberRows>(option.file, option.columns, std::move(header_names));
 }
 
 void Rows::skip_to_first() {

@@ -23,7 +23,8 @@ struct RowsOption {
   std::vector<std::string> columns;
   std::string single;  ///< what was given
   std::string file;
-  std::string range{};  ///< `--rows`: those of the file alone; empty: all
+  std::string header_names{};  ///< `--columns`: what the header of the file calls the columns
+  std::string range{};         ///< `--rows`: those of the file alone; empty: all
 };
 
 /// `option` must live as long as `command`.

@@ -11,6 +11,7 @@
 
 #include "cli/input/huge_pages.h"
 #include "cli/input/options.h"
+#include "cli/output/labelled_row.h"
 #include "cli/output/printable.h"
 #include "cli/output/stopwatch.h"
 #include "cli/output/usage.h"
@@ -99,6 +100,11 @@ void add_scene_options(Command& command, SceneOptions& options) {
                }});
   command.add(
       {.names = "-q,--quiet", .value = {}, .help = "No progress bar and no warnings", .take = into(options.quiet)});
+}
+
+std::string faceted_line(std::uint64_t count) {
+  return fmt::format("{} {}, as $fn says (--facets never keeps them round)", counted(count, "round solid"),
+                     count == 1 ? "is a polyhedron" : "are polyhedra");
 }
 
 DocumentInput read_document(const SceneOptions& options) {

@@ -30,6 +30,9 @@ struct SceneOptions {
 /// `command`.
 void add_scene_options(Command& command, SceneOptions& options);
 
+/// What became of round solids: `3 round solids are polyhedra, as $fn says (--facets never keeps them round)`.
+std::string faceted_line(std::uint64_t count);
+
 /// A scene ready to be asked, and how long that took.
 struct SceneInput {
   SceneDescription description;  ///< but for the solid, which became the scene

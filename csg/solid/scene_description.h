@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -53,7 +54,8 @@ struct SceneDescription {
   std::optional<Rgb> background;
   std::optional<BackgroundImage> background_image;  ///< if there is one, there is no background colour
   RenderSettings settings;
-  Digits digits{};  ///< of the numbers of solids and transforms, as the text says, or as they show
+  Digits digits{};            ///< of the numbers of solids and transforms, as the text says, or as they show
+  std::uint64_t faceted = 0;  ///< how many round solids of the text became polyhedra
   std::vector<Warning> warnings;
 };
 

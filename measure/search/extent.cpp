@@ -23,6 +23,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // In units of the space. Nobody needs a smaller error, and a face of a solid may be nearly flat.
 constexpr double good_enough = 0x1p-34;
 constexpr std::size_t most_cuts = 20000;
+constexpr std::size_t cuts_between_dives = 64;
 constexpr double least_half = 0x1p-44;  // coordinates round by this much
 // Coordinates in space and their sums are below 8, and round by less than this.
 constexpr double rounding = 0x1p-46;
@@ -34,14 +35,17 @@ class Search {
 
   /// The least and the greatest possible reach. Nothing if the solid is empty.
   std::optional<Range> operator()() {
-    add(cutter_.whole());
-    for (std::size_t cuts = 0; !open_.empty() && cuts < most_cuts; ++cuts) {
-      if (open_.top().most <= std::fmax(reached_, left_) + good_enough) break;
-      const Open open = open_.top();
+    if (const std::optional<Open> whole = opened(cutter_.whole())) open_.push(*whole);
+    while (!open_.empty() && cuts_ < most_cuts && open_.top().most > std::fmax(reached_, left_) + good_enough) {
+      Open open = open_.top();
       open_.pop();
-      auto [lower, upper] = cutter_.cut(open.piece, open.split, middle_of(open));
-      add(lower);
-      add(upper);
+      if (cuts_ % cuts_between_dives == 0) {
+        dive(std::move(open));
+      } else {
+        for (const std::optional<Open>& half : cut(open)) {
+          if (half) open_.push(*half);
+        }
+      }
     }
     double most = std::fmax(reached_, left_);
     if (!open_.empty()) most = std::fmax(most, open_.top().most);
@@ -61,29 +65,55 @@ class Search {
     return 0.5 * (open.piece.box.lower[open.split] + open.piece.box.upper[open.split]);
   }
 
-  void add(const Piece& piece) {
+  /// Cuts a piece. What may reach farther than what is known remains of its halves.
+  std::array<std::optional<Open>, 2> cut(const Open& open) {
+    ++cuts_;
+    auto [lower, upper] = cutter_.cut(open.piece, open.split, middle_of(open));
+    std::optional<Open> first = opened(lower);
+    return {std::move(first), opened(upper)};
+  }
+
+  /// Follows the more promising half, again and again, to a point that is certainly inside. Where a solid is thin,
+  /// pieces must be as small as that, and there are very many.
+  void dive(Open open) {
+    constexpr std::size_t most_dive = 160;
+    for (std::size_t i = 0; i < most_dive && cuts_ < most_cuts; ++i) {
+      const double before = reached_;
+      auto [first, second] = cut(open);
+      if (first && second && first->most < second->most) std::swap(first, second);
+      if (!first) std::swap(first, second);
+      if (second) open_.push(*std::move(second));
+      if (!first) return;
+      open = *std::move(first);
+      if (reached_ > before) break;
+    }
+    open_.push(std::move(open));
+  }
+
+  /// What a piece may reach; nothing if that is no farther than what is known.
+  std::optional<Open> opened(const Piece& piece) {
     const Vector half = 0.5 * (piece.box.upper - piece.box.lower);
     const double middle = dot(direction_, 0.5 * (piece.box.upper + piece.box.lower));
     const double corner =
         middle + std::fabs(direction_.x) * half.x + std::fabs(direction_.y) * half.y + std::fabs(direction_.z) * half.z;
     if (piece.is_constant()) {
       if (piece.value()) reached_ = std::fmax(reached_, corner - rounding);
-      return;
+      return std::nullopt;
     }
     const PieceForms forms(space_, piece);
     double most = corner;
     if (!piece.is_crowded() && forms.are_known) {
       if (middle > reached_ && forms.surely_hold({})) reached_ = middle - rounding;
       const std::optional<double> by_planes = most_by_planes(forms, middle);
-      if (!by_planes) return;
+      if (!by_planes) return std::nullopt;
       most = std::fmin(most, *by_planes + rounding);
     }
     const std::size_t split = half.x >= half.y && half.x >= half.z ? 0 : half.y >= half.z ? 1 : 2;
     if (half[split] < least_half) {
       left_ = std::fmax(left_, most);  // cutting it further is not worthwhile
-    } else if (most > reached_) {
-      open_.push({most, split, piece});
+      return std::nullopt;
     }
+    return most > reached_ ? std::optional<Open>({most, split, piece}) : std::nullopt;
   }
 
   /// Bounds how far a piece's points may reach beyond what is known to be reached. Nothing if there are no such points.
@@ -115,6 +145,7 @@ class Search {
   PieceCutter cutter_;
   Vector direction_;
   std::priority_queue<Open> open_;
+  std::size_t cuts_ = 0;
   double reached_ = -infinity;  // the reach of a point that is certainly inside
   double left_ = -infinity;     // the reach of pieces that were given up
 };

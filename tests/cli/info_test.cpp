@@ -81,6 +81,7 @@ TEST_CASE("info as JSON") {
   "depth": 2,
   "statements_by_name": {"halfspace": 1, "part": 1},
   "unsupported": [],
+  "faceted": 0,
   "leaves": 1,
   "leaves_by_kind": {"halfspace": 1},
   "surfaces": {"planes": 1, "quadrics": 0, "shared": 0},
@@ -174,6 +175,27 @@ TEST_CASE("a crack of 1e-16 shows as two intervals unless it is welded") {
   };
   CHECK(rows({}) == 1);
   CHECK(rows({"--weld", "0"}) == 2);
+}
+
+TEST_CASE("info and measure tell of round solids that became polyhedra, info of what is not supported") {
+  const TemporaryFolder folder;
+  folder.write("a.csg", "sphere(1, $fn = 8);\ncylinder(h = 1, r = 1, $fn = 6);\nsphere(3, $fn = 100);\n");
+  const std::string facets =
+      "facets      2 round solids are polyhedra, as $fn says (--facets never keeps them round)\n";
+  CHECK(run(folder, {"info", "a.csg"}).out.find(facets) != std::string::npos);
+  CHECK(run(folder, {"measure", "a.csg"}).out.find(facets) != std::string::npos);
+  CHECK(run(folder, {"info", "a.csg", "--facets", "never"}).out.find("facets") == std::string::npos);
+  folder.write("b.csg", "hull() { cube(1); }\ncube(2);\ntext(\"a\"); hull();\n");
+  const Outcome outcome = run(folder, {"info", "b.csg", "--quiet"});
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.find("left out    hull 2, not supported yet: lines 1, 3\n") != std::string::npos);
+  CHECK(outcome.out.find("left out    text 1, not supported yet: line 3\n") != std::string::npos);
+  const Outcome refused = run(folder, {"measure", "b.csg"});
+  CHECK(refused.exit_code == 2);
+  CHECK(refused.err.find("nor those of 2 more statements") != std::string::npos);
+  const Outcome skipped = run(folder, {"measure", "b.csg", "--skip-unsupported"});
+  CHECK(skipped.exit_code == 0);
+  CHECK(skipped.err.find("b.csg:1:1: warning: 'hull' is left out: it is not supported yet\n") != std::string::npos);
 }
 
 }  // namespace

@@ -172,6 +172,29 @@ TEST_CASE("a file of rays may have a header, blanks, blank lines, CR LF and a by
         columns + "0,8,9,0,0,1,0,0,-1,1:1,1:1,\n1,1,2,0,0,-1,0,0,1,1:1,1:1,\n");
 }
 
+TEST_CASE("a file of rays may be as other programs write it") {
+  const SceneFolder folder("cube(1);");
+  const std::string wanted = columns + "0,8,9,0,0,1,0,0,-1,1:1,1:1,\n1,1,2,0,0,-1,0,0,1,1:1,1:1,\n";
+  const std::vector<std::string> texts{"# rays\nox;oy;oz;dx;dy;dz\n0,5;0,5;9;0;0;-1\n # one more\n0.5;5e-1;-1;0;0;1\n",
+                                       "0.5\t0.5\t9\t0\t0\t-1\n0.5\t0.5\t-1\t0\t0\t1\n",
+                                       "\"dx\",\"dy\",\"dz\",\"name, of all\",\"OX\",\"oy\",\"oz\"\n0,0,-1,\"a, "
+                                       "b\",\".5\", \" 0.5 \",9\n0,0,1,,0.5,0.5,-1\n"};
+  for (const std::string& text : texts) {
+    INFO(text);
+    folder.write("rays.csv", text);
+    CHECK(intervals(folder, {"--rays", "rays.csv", "--format", "csv"}).out == wanted);
+  }
+  folder.write("rays.csv", "u,v,w,x,y,z,ox\n0,0,-1,.5,.5,9,no\n0,0,1,.5,.5,-1,no\n");
+  CHECK(intervals(folder, {"--rays", "rays.csv", "--format", "csv", "--columns", "x,y,z,u,v,w"}).out == wanted);
+  CHECK(intervals(folder, {"--rays", "rays.csv", "--columns", "x,y,z"}).err ==
+        "csgcast: error: --columns takes 6 names, separated by commas; see csgcast intervals --help\n");
+  CHECK(intervals(folder, {"--ray", "0,0,9,0,0,-1", "--columns", "x,y,z,u,v,w"}).err ==
+        "csgcast: error: --columns needs --rays (it names columns of a file); see csgcast intervals --help\n");
+  folder.write("rays.csv", "0.5,0.5,9,0,0,-1\n");
+  CHECK(intervals(folder, {"--rays", "rays.csv", "--columns", "x,y,z,u,v,w"}).err.find("there is no header") !=
+        std::string::npos);
+}
+
 TEST_CASE("rays may come from standard input, or the scene, but not both") {
   const SceneFolder folder("cube(1);");
   const std::string row = "0.5,0.5,9,0,0,-1\n";

@@ -82,7 +82,7 @@ class Builder {
 
   const Statement& statement_of(const Node& node) const;
   Call call(const Node& node, const Statement& statement, const SpecialVariables& specials = {}) {
-    return {node, document_.file, statement.parameters, options_, scene_.digits, specials, scene_.warnings};
+    return {node, document_.file, statement.parameters, options_, specials, scene_};
   }
   void set_specials(std::span<const Node> nodes, SpecialVariables& specials);
   Place place(const Node& node) const { return {document_.file, node.line, node.column}; }
@@ -125,7 +125,7 @@ void Builder::set_specials(std::span<const Node> nodes, SpecialVariables& specia
   static const Parameters value{{"value"}, {}};
   for (const Node& node : nodes) {
     if (!is_special_variable(node) || is_skipped(node)) continue;
-    const Call variable(node, document_.file, value, options_, {}, {}, scene_.warnings);
+    const Call variable(node, document_.file, value, options_, {}, scene_);
     if (std::optional<double>* special = specials.find(node.name)) {
       *special = variable.number("value");
     } else {

@@ -66,8 +66,8 @@ bool counts_as_undef(const Value& value) {
 }
 
 Call::Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options,
-           Digits digits, const SpecialVariables& specials, std::vector<Warning>& warnings)
-    : node_(node), file_(file), options_(options), digits_(digits), specials_(specials), warnings_(warnings) {
+           const SpecialVariables& specials, SceneDescription& scene)
+    : node_(node), file_(file), options_(options), specials_(specials), scene_(scene) {
   std::size_t position = 0;
   for (const Argument& argument : node.arguments) bind(argument, parameters, position);
 }
@@ -96,7 +96,7 @@ void Call::bind(const Argument& argument, const Parameters& parameters, std::siz
 void Call::warn_of_words(const Argument& argument, std::string_view name) const {
   const Value::Word* word = first_word(argument.value);
   if (word == nullptr) return;
-  warnings_.push_back(
+  scene_.warnings.push_back(
       {{file_, argument.line, argument.column},
        fmt::format("'{}' in '{}' of '{}' counts as undef, as in OpenSCAD", word->name, name, node_.name)});
 }

@@ -13,6 +13,7 @@
 #include "csg/base/vector.h"
 #include "csg/solid/look.h"
 #include "csg/solid/rules/rules.h"
+#include "csg/solid/scene_description.h"
 #include "csg/text/statement/builder.h"
 #include "csg/text/statement/detail/facets.h"
 #include "csg/text/syntax/syntax.h"
@@ -51,8 +52,8 @@ class Call {
  public:
   /// Throws Error(unknown_name) for a name that is none of the parameters, Error(bad_value) for one given twice and for
   /// too many positional ones.
-  Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options, Digits digits,
-       const SpecialVariables& specials, std::vector<Warning>& warnings);
+  Call(const Node& node, const FileName& file, const Parameters& parameters, const BuildOptions& options,
+       const SpecialVariables& specials, SceneDescription& scene);
 
   const std::string& name() const { return node_.name; }
   Place place() const { return {file_, node_.line, node_.column}; }
@@ -61,8 +62,10 @@ class Call {
   Place place(std::string_view name) const;
   const BuildOptions& options() const { return options_; }
   /// How many the numbers of the text have.
-  Digits digits() const { return digits_; }
-  void warn(std::string text) const { warnings_.push_back({place(), std::move(text)}); }
+  Digits digits() const { return scene_.digits; }
+  void warn(std::string text) const { scene_.warnings.push_back({place(), std::move(text)}); }
+  /// Says that something round became a polyhedron.
+  void count_faceted() const { ++scene_.faceted; }
 
   /// The value of an argument; null if it counts as not given.
   const Value* find(std::string_view name) const;
@@ -108,9 +111,8 @@ class Call {
   const Node& node_;
   const FileName& file_;
   const BuildOptions& options_;
-  Digits digits_;
   SpecialVariables specials_;
-  std::vector<Warning>& warnings_;
+  SceneDescription& scene_;
   std::vector<std::pair<std::string_view, const Argument*>> bound_;
 };
 

@@ -41,6 +41,7 @@ std::optional<int> polygon_sides(const Call& call, double radius, PointCount poi
                 fmt::format("$fn, $fa and $fs ask for {:.0f} sides", sides),
                 "ask for fewer or keep its curve (--facets never)");
   }
+  call.count_faceted();
   return static_cast<int>(sides);
 }
 
